@@ -43,13 +43,20 @@ int run_copy(const ListingArguments& arguments) {
   return 0;
 }
 
-/// The scene that was asked for, else that of the first step of the listing's lesson.
+/// The scene that was asked for, else that of the first step of the listing's lesson of which it shows something.
 Document document_for(const ListingArguments& arguments, const NamedListing& listing) {
   if (!arguments.scene.scene.empty() || !arguments.scene.permalink.empty()) return load_document(arguments.scene);
   SceneArguments others = arguments.scene;
   if (!others.size.empty() || !others.camera.empty() || !others.edits.empty() || !others.settings.empty())
     throw InputError("SCENE is required with options that change it");
-  return lesson_document(load_lesson(listing.folder), 0, Document{});
+  const Lesson lesson = load_lesson(listing.folder);
+  Document document = lesson_document(lesson, 0, Document{});
+  const auto shows_nothing = [&] {
+    return listing.listing->suits(scene_traits(document.scene), document.a.settings) == 0;
+  };
+  for (std::size_t step = 1; step < lesson.steps.size() && shows_nothing(); ++step)
+    document = lesson_document(lesson, static_cast<int>(step), Document{});
+  return document;
 }
 
 void print_messages(const Compilation& compilation, const std::string& file) {

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "options/listing.h"
 #include "record/watch.h"
@@ -11,6 +12,20 @@
 namespace ps {
 namespace cgfs_06_lines {
 namespace {
+
+// One value of d for each whole step of i from i0 to i1: the slope is added again and again.
+std::vector<double> interpolate(double i0, double d0, double i1, double d1) {
+  if (i0 == i1) return {d0};
+  std::vector<double> values;
+  const double a = (d1 - d0) / (i1 - i0);
+  PS_WATCH("slope", a);
+  double d = d0;
+  for (double i = i0; i <= i1; ++i) {
+    values.push_back(d);
+    d += a;
+  }
+  return values;
+}
 
 // A line without gaps: along the axis on which it is longer, one pixel for each step.
 void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour) {

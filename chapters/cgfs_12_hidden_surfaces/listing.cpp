@@ -31,6 +31,7 @@ bool is_back_face(const std::array<Vec3d, 3>& seen) {
   return !(facing > 0);
 }
 
+// sorted_by_height() and interpolate_sides() are the sort and the join of chapter 7.
 void draw_triangle(const BookScene& scene, BookCanvas& canvas, const std::array<Vec2d, 3>& projected,
                    const std::array<Vec3d, 3>& seen, const Vec3d& colour) {
   const auto order = sorted_by_height(projected);

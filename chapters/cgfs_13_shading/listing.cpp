@@ -72,6 +72,7 @@ double compute_illumination(const BookScene& scene, const Vec3d& point, const Ve
   return intensity;
 }
 
+// sorted_by_height() and interpolate_sides() are the sort and the join of chapter 7.
 void draw_triangle(const BookScene& scene, BookCanvas& canvas, const Seen& seen) {
   const auto order = sorted_by_height(seen.canvas);
   std::array<double, 3> y, columns, inverse_z;

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "math/power.h"  // IWYU pragma: export
@@ -104,10 +106,15 @@ inline std::array<std::size_t, 3> sorted_by_height(const std::array<Vec2d, 3>& p
   return order;
 }
 
-/// The entry for `place`, counted from `first`; its fraction is dropped.
+/// The entry for `place`, counted from `first`; its fraction is dropped. Throws std::out_of_range, which a student
+/// reads, where the list has no such entry.
 template <class Value>
 const Value& entry(const std::vector<Value>& values, double place, double first) {
-  return values.at(static_cast<std::size_t>(place - first));
+  const double index = std::trunc(place - first);
+  if (!(index >= 0 && index < static_cast<double>(values.size())))
+    throw std::out_of_range("an entry was asked for that a list of " + std::to_string(values.size()) +
+                            " values does not have");
+  return values[static_cast<std::size_t>(index)];
 }
 
 }  // namespace ps

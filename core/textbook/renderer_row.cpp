@@ -50,6 +50,10 @@ std::vector<LeftOut> gaps_of_listing(const SceneTraits& traits, const Settings& 
        "gradients between vertices of different colours", on_canvas},
       {effect, shows_space && settings.lighting && settings.draw == Draw::filled && !draws.light, "light", in_space},
       {effect, shows_space && draws.light && asks_for_shadows(traits, settings) && !draws.shadows, "shadows", in_space},
+      {effect,
+       listing.order == ListingOrder::object_by_object && draws.shadows && asks_for_shadows(traits, settings) &&
+           traits.point_lights,
+       "shadows of point lights", in_space},
       {effect, shows_space && asks_for_reflections(traits, settings) && !draws.reflections, "reflections", in_space},
       {effect, shows_space && traits.textures && !draws.textures, "textures", in_space},
       {effect, shows_space && traits.transparent, "transparency", in_space}};

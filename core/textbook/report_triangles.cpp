@@ -1,4 +1,4 @@
-// The listings of CGFS ch. 10 to 14 in a rasterizer's events.
+// The listings of CGFS ch. 10 to 15 in a rasterizer's events.
 #include <algorithm>
 #include <cmath>
 
@@ -160,6 +160,8 @@ class TriangleReporter {
       const double after = reader_.last<double>(light, "intensity so far").value_or(before);
       const double full = book_.lights[static_cast<std::size_t>(event.light)].intensity;
       event.diffuse = after - before;
+      report_map_lookup(event.light, light);
+      if (reader_.last<bool>(light, "in shadow") == true) event.visible = 0;
       if (const auto cosine = reader_.last<double>(light, "cosine to the light")) {
         event.to_light = reader_.last<Vec3d>(light, "to light").value_or(Vec3d(0));
         event.n_dot_l = *cosine;
@@ -172,6 +174,23 @@ class TriangleReporter {
       before = after;
       recorder_.event([&] { return event; });
     }
+  }
+
+  /// The texel of a shadow map that decides about one light.
+  void report_map_lookup(int index, int light) {
+    const auto seen = reader_.last<Vec3d>(light, "column, row, depth");
+    if (!seen) return;
+    const auto stored = reader_.last<double>(light, "stored depth");
+    const bool shadow = reader_.last<bool>(light, "in shadow").value_or(false);
+    ShadowMapEvent event;
+    event.light = index;
+    event.outside = !stored;
+    event.position = {seen->x, seen->y};
+    event.depth = seen->z;
+    event.bias = reader_.last<double>(light, "bias").value_or(0);
+    event.visible = shadow ? 0 : 1;
+    if (stored) event.taps = {{static_cast<int>(seen->x), static_cast<int>(seen->y), *stored, !shadow}};
+    recorder_.event([&] { return event; });
   }
 
   /// An edge of a triangle: the one that passes nearest to the pixel.

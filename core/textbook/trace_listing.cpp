@@ -29,8 +29,9 @@ ListingTrace trace_listing(const Scene& scene, const View& view, const Settings&
   const Vec2i place = book_pixel(pixel.x, pixel.y, view.width, view.height);
   const NamedListing listing = running_listing(settings, scene_traits(scene));
   std::vector<MeshPart> parts;
-  // A planted bug may draw a triangle where it does not belong, and rays go on to others.
-  const bool drawn_in_place = listing.bug.empty() && listing.listing->order == ListingOrder::object_by_object;
+  // A planted bug may draw a triangle where it does not belong, rays go on to others, and shadows come from anywhere.
+  const bool drawn_in_place = listing.bug.empty() && listing.listing->order == ListingOrder::object_by_object &&
+                              !listing.listing->draws.shadows;
   if (triangles == TracedTriangles::near_pixel && drawn_in_place) parts = keep_near(book, place, progress);
   BookCanvas canvas(view.width, view.height, {pixel.x, pixel.y, pixel.x + 1, pixel.y + 1}, book.background, progress);
   WatchCollector collector(place);

@@ -22,7 +22,7 @@ struct ListingTrace {
 
 /// Which triangles a traced listing is given. Those far from the pixel leave nothing in its trace, so both give the
 /// same one; among a million the listing takes a hundred times as long as finding those near it. A listing with a
-/// planted bug, or one that follows rays, is given all of them.
+/// planted bug, or one that follows rays or casts shadows, is given all of them.
 enum class TracedTriangles { near_pixel, all };
 
 /// Runs the listing that the settings name for one pixel (array position) of the view, and keeps what its lines had.

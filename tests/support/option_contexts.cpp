@@ -92,6 +92,7 @@ const std::vector<OptionContext>& option_contexts() {
         {"cgfs/depth", {"renderer=textbook", "backface-culling=on"}},
         {"cgfs/depth", {"renderer=textbook", "backface-culling=off"}},
         {lesson_scene("cgfs_11_clipping", "two.scene"), {"renderer=textbook", "listing=cgfs-11-clipping"}},
+        {lesson_scene("cgfs_15_shadows_in_the_rasterizer", "yard.scene"), {"renderer=textbook"}},
         {"cgpp/ground", {"renderer=textbook", "listing=cgpp-15-4-measured-light"}},
         {lesson_scene("cgpp_15_6_exact_edges", "fan.scene"), {"renderer=textbook", "listing=cgpp-15-6-exact-edges"}},
         {"lab/polygon-rows", {"renderer=textbook", "listing=lab-cornell"}},

@@ -29,6 +29,16 @@ TEST(ListingCli, CopiesAndChecks) {
   EXPECT_NE(faulty.out.find("nothing"), std::string::npos) << faulty.out;
 }
 
+/// The lesson begins with spheres, of which this listing shows nothing: all pictures would be alike.
+TEST(ListingCli, TakesASceneThatTheListingShows) {
+  test::OwnListings own;
+  const auto copied = run_cli({"listing", "copy", "cgfs_15_shadows_in_the_rasterizer", "--without", "in_shadow"});
+  ASSERT_EQ(copied.status, 0) << copied.err;
+  const auto checked = run_cli({"listing", "run", copied.out.substr(0, copied.out.size() - 1)});
+  EXPECT_EQ(checked.status, 1);
+  EXPECT_NE(checked.out.find(" of 240000 pixels differ"), std::string::npos) << checked.out;
+}
+
 TEST(ListingCli, UnknownNamesAndFilesAreBadInput) {
   EXPECT_EQ(run_cli({"listing", "copy", "nonsense"}).status, 2);
   EXPECT_EQ(run_cli({"listing", "copy", "cgfs_06_lines", "--without", "nonsense"}).status, 2);

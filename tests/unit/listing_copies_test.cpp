@@ -63,7 +63,8 @@ TEST_P(ListingCopies, GiveTheSameBits) {
 INSTANTIATE_TEST_SUITE_P(All, ListingCopies, testing::Range(std::size_t{0}, listings().size()),
                          [](const auto& index) { return listings()[index.param].folder; });
 
-/// What a lesson asks to be written compiles before it is, and does not draw what it should.
+/// What a lesson asks to be written compiles before it is, and does not draw what it should. Where others need what it
+/// gives, there may be no picture: then the message says what is missing.
 TEST(ListingCopy, EachTaskCompilesAndIsToBeDone) {
   int tasks = 0;
   for (const std::string& name : lesson_names()) {
@@ -80,11 +81,17 @@ TEST(ListingCopy, EachTaskCompilesAndIsToBeDone) {
       Progress progress;
       const CheckedListing checked = check_listing(*compiled.program, listing, document.scene, view_of(document),
                                                    document.a.settings, {}, progress);
+      if (routine == "interpolate") {
+        EXPECT_EQ(checked.run.failure,
+                  "It threw an exception: an entry was asked for that a list of 0 values does not have")
+            << name;
+        continue;
+      }
       ASSERT_EQ(checked.run.failure, "") << name;
       EXPECT_GT(checked.wrong.count, 0u) << name << ": " << routine;
     }
   }
-  EXPECT_GE(tasks, 3);
+  EXPECT_GE(tasks, 5);
 }
 
 TEST(ListingCopy, ATaskOfALessonIsReadWithItsErrors) {
@@ -99,7 +106,7 @@ TEST(ListingCopy, ATaskOfALessonIsReadWithItsErrors) {
   const std::string lines = "cgfs_06_lines";
   EXPECT_EQ(fault(lines, "write draw_line\n"), "draw_line");
   EXPECT_EQ(fault(lines, "write nothing\n"),
-            "lesson.md:11:7: found the routine 'nothing', expected one of the listing: draw_line, draw");
+            "lesson.md:11:7: found the routine 'nothing', expected one of the listing: interpolate, draw_line, draw");
   EXPECT_EQ(fault(lines, "read draw_line\n"), "lesson.md:11:1: found 'read', expected a line 'write ROUTINE'");
   EXPECT_EQ(fault(lines, ""), "lesson.md:10:1: found a task without words, expected a line 'write ROUTINE'");
   EXPECT_EQ(fault("cgfs_05_camera", "write draw\n"),

@@ -26,6 +26,8 @@ Settings textbook(const Scene& scene) {
   return settings;
 }
 
+constexpr const char* yard = "chapters/cgfs_15_shadows_in_the_rasterizer/yard.scene";
+
 ListingTrace trace(const Scene& scene, const Settings& settings, Vec2i pixel) {
   return trace_listing(scene, {scene.camera, scene.canvas_width, scene.canvas_height}, settings, pixel);
 }
@@ -54,7 +56,8 @@ TEST(Listing, EachChapterSuitsItsScene) {
                                                         {"cgfs/wireframe", "cgfs_10_scenes"},
                                                         {"cgfs/cubes", "cgfs_12_hidden_surfaces"},
                                                         {"cgfs/shading", "cgfs_13_shading"},
-                                                        {"cgfs/crates", "cgfs_14_textures"}};
+                                                        {"cgfs/crates", "cgfs_14_textures"},
+                                                        {yard, "cgfs_15_shadows_in_the_rasterizer"}};
   for (const auto& [name, folder] : suited) {
     const Scene scene = load_scene(name);
     EXPECT_EQ(listing_of(textbook(scene), scene_traits(scene)).folder, folder) << name;
@@ -116,8 +119,9 @@ TEST(Listing, TextLeavesTheWatchesOut) {
 
 /// Every listing shows some code, and every value that it has for its scene's start pixel stands beside a line of it.
 TEST(Listing, EveryValueHasALine) {
-  for (const char* name : {"cgfs/spheres", "cgfs/lights", "cgfs/reflections", "cgfs/lines", "cgfs/triangles",
-                           "cgfs/shaded-triangle", "cgfs/wireframe", "cgfs/cubes", "cgfs/shading", "cgfs/crates"}) {
+  for (const char* name :
+       {"cgfs/spheres", "cgfs/lights", "cgfs/reflections", "cgfs/lines", "cgfs/triangles", "cgfs/shaded-triangle",
+        "cgfs/wireframe", "cgfs/cubes", "cgfs/shading", "cgfs/crates", yard}) {
     const Scene scene = load_scene(name);
     const ListingTrace traced = trace(scene, textbook(scene), scene.start_pixel);
     const ListingText text = load_listing_text(traced.listing);
@@ -135,7 +139,7 @@ TEST(Listing, EveryValueHasALine) {
 /// The values are those of the picture: a traced pixel is the one that `render` stores, for every pixel tried.
 TEST(Listing, TraceGivesTheColourOfThePicture) {
   for (const char* name : {"cgfs/reflections", "cgfs/lines", "cgfs/triangles", "cgfs/shaded-triangle", "cgfs/mixing",
-                           "cgfs/wireframe", "cgfs/crates"}) {
+                           "cgfs/wireframe", "cgfs/crates", yard}) {
     const Scene scene = load_scene(name);
     const Settings settings = textbook(scene);
     const View view{scene.camera, 120, 100};
@@ -165,6 +169,7 @@ TEST(Listing, TraceNeedsOnlyWhatIsNearThePixel) {
       if (listing.listing->order != ListingOrder::object_by_object) continue;
       Settings settings = textbook(scene);
       settings.listing = static_cast<int>(&listing - listings().data()) + 1;
+      settings.shadow_map_size = 32;  // each trace draws it anew
       const int step = scene.geometry->objects.size() > 100 ? 45 : 17;
       for (int y = 1; y < 100; y += step)
         for (int x = 2; x < 150; x += step + 6) {
@@ -198,7 +203,7 @@ Vec3d last_colour(const PixelStory& story) {
 TEST(Listing, EventsEndInItsColour) {
   for (const char* name :
        {"cgfs/spheres", "cgfs/lights", "cgfs/shadows", "cgfs/reflections", "cgfs/lines", "cgfs/triangles",
-        "cgfs/mixing", "cgfs/wireframe", "cgfs/cubes", "cgfs/shading", "cgfs/crates"}) {
+        "cgfs/mixing", "cgfs/wireframe", "cgfs/cubes", "cgfs/shading", "cgfs/crates", yard}) {
     const Scene scene = load_scene(name);
     const Settings settings = textbook(scene);
     const View view{scene.camera, 120, 100};
@@ -334,7 +339,11 @@ TEST(Listing, PictureIsThatOfTheRenderer) {
                         {"cgfs-11-clipping", "cgfs/behind", {}},
                         {"cgfs-11-clipping", "cgfs/behind", {"near=6", "backface-culling=off"}},
                         {"cgfs-11-clipping", "chapters/cgfs_11_clipping/one.scene", {}},
-                        {"cgfs-11-clipping", "chapters/cgfs_11_clipping/two.scene", {}}};
+                        {"cgfs-11-clipping", "chapters/cgfs_11_clipping/two.scene", {}},
+                        {"cgfs-15-shadows-in-the-rasterizer", yard, {}},
+                        {"cgfs-15-shadows-in-the-rasterizer", yard, {"shadow-map-size=64", "specular=off"}},
+                        {"cgfs-15-shadows-in-the-rasterizer", yard, {"shadow-bias=0.4", "shadow-slope-bias=0"}},
+                        {"cgfs-15-shadows-in-the-rasterizer", yard, {"shadow-slope-bias=0.2"}}};
   for (const Case& each : cases) {
     const Scene scene = load_scene(each.scene);
     Settings settings = textbook(scene);

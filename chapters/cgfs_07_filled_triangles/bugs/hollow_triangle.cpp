@@ -1,7 +1,9 @@
 // The triangle has an outline and nothing inside.
+#include <array>
 #include <cmath>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "options/listing.h"
 #include "record/watch.h"
@@ -13,51 +15,83 @@ namespace ps {
 namespace cgfs_07_filled_triangles {
 namespace {
 
+// Interpolate, of the chapter before.
+std::vector<double> interpolate(double i0, double d0, double i1, double d1) {
+  if (i0 == i1) return {d0};
+  std::vector<double> values;
+  const double a = (d1 - d0) / (i1 - i0);
+  double d = d0;
+  for (double i = i0; i <= i1; ++i) {
+    values.push_back(d);
+    d += a;
+  }
+  return values;
+}
+
+// One pixel of a shape: paint covers what is below, light is added to it.
+void mix_pixel(BookCanvas& canvas, double x, double y, const Vec3d& colour, Blend blend) {
+  canvas.put_pixel(x, y, blended(blend, canvas.get_pixel(x, y), colour));
+}
+
 void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour, Blend blend) {
-  const bool flat = std::abs(p1.x - p0.x) > std::abs(p1.y - p0.y);
-  if (flat ? p1.x < p0.x : p1.y < p0.y) std::swap(p0, p1);
-  const double first = flat ? p0.x : p0.y, last = flat ? p1.x : p1.y;
-  const auto others = flat ? interpolate(first, p0.y, last, p1.y) : interpolate(first, p0.x, last, p1.x);
-  for (double step = first; step <= last; ++step) {
-    const double other = entry(others, step, first);
-    const Vec2d place = flat ? Vec2d(step, other) : Vec2d(other, step);
-    PS_PIXEL(place.x, place.y);
-    PS_WATCH("outline at", place);
-    const Vec3d mix = blended(blend, canvas.get_pixel(place.x, place.y), colour);
-    PS_WATCH("canvas becomes", mix);
-    canvas.put_pixel(place.x, place.y, mix);
+  if (std::abs(p1.x - p0.x) > std::abs(p1.y - p0.y)) {
+    if (p1.x < p0.x) std::swap(p0, p1);
+    const auto ys = interpolate(p0.x, p0.y, p1.x, p1.y);
+    for (double x = p0.x; x <= p1.x; ++x) {
+      const double y = entry(ys, x, p0.x);
+      PS_PIXEL(x, y);
+      PS_WATCH("outline at", Vec2d(x, y));
+      mix_pixel(canvas, x, y, colour, blend);
+      PS_WATCH("canvas becomes", canvas.get_pixel(x, y));
+    }
+  } else {
+    if (p1.y < p0.y) std::swap(p0, p1);
+    const auto xs = interpolate(p0.y, p0.x, p1.y, p1.x);
+    for (double y = p0.y; y <= p1.y; ++y) {
+      const double x = entry(xs, y, p0.y);
+      PS_PIXEL(x, y);
+      PS_WATCH("outline at", Vec2d(x, y));
+      mix_pixel(canvas, x, y, colour, blend);
+      PS_WATCH("canvas becomes", canvas.get_pixel(x, y));
+    }
   }
 }
 
 // Row by row, from the left side to the right one, both ends included.
-void draw_filled_triangle(BookCanvas& canvas, const std::array<Vec2d, 3>& corners, const Vec3d& colour, Blend blend) {
-  // Sorted by height, the first side goes from the lowest vertex to the highest; the two others share the way.
-  const auto order = sorted_by_height(corners);
-  const Vec2d p0 = corners[order[0]], p1 = corners[order[1]], p2 = corners[order[2]];
+void draw_filled_triangle(BookCanvas& canvas, Vec2d p0, Vec2d p1, Vec2d p2, const Vec3d& colour, Blend blend) {
+  // Sorted by height, from below.
+  if (p1.y < p0.y) std::swap(p1, p0);
+  if (p2.y < p0.y) std::swap(p2, p0);
+  if (p2.y < p1.y) std::swap(p2, p1);
   PS_WATCH("lowest corner", p0);
   PS_WATCH("middle corner", p1);
   PS_WATCH("highest corner", p2);
-  const auto x = interpolate_sides<double>({p0.y, p1.y, p2.y}, {p0.x, p1.x, p2.x});
-  PS_WATCH("rows", x.long_side.size());
+
+  // x on each row. One side goes from the lowest vertex to the highest; the two others share the way.
+  const std::vector<double> x02 = interpolate(p0.y, p0.x, p2.y, p2.x);
+  std::vector<double> x012 = interpolate(p0.y, p0.x, p1.y, p1.x);
+  const std::vector<double> x12 = interpolate(p1.y, p1.x, p2.y, p2.x);
+  x012.pop_back();  // the row of p1 is in both
+  x012.insert(x012.end(), x12.begin(), x12.end());
+  PS_WATCH("rows", x012.size());
 
   // Which is left shows in the middle.
-  const std::size_t middle = x.long_side.size() / 2;
-  const bool long_is_left = x.long_side[middle] > x.short_sides[middle];
+  const std::size_t middle = x02.size() / 2;
+  const bool long_is_left = x02[middle] > x012[middle];
   PS_WATCH("long side is left", long_is_left);
-  const auto& x_left = long_is_left ? x.long_side : x.short_sides;
-  const auto& x_right = long_is_left ? x.short_sides : x.long_side;
+  std::vector<double> x_left = x02, x_right = x012;
+  if (!long_is_left) std::swap(x_left, x_right);
 
   for (double y = p0.y; y <= p2.y; ++y) {
     PS_REACHING("row", y);
     const double left = entry(x_left, y, p0.y), right = entry(x_right, y, p0.y);
     PS_WATCH("left, right", Vec2d(left, right));
-    for (double column = left; column <= right; ++column) {
-      PS_PIXEL(column, y);
-      PS_WATCH("x", column);
+    for (double x = left; x <= right; ++x) {
+      PS_PIXEL(x, y);
+      PS_WATCH("x", x);
       PS_WATCH("colour", colour);
-      const Vec3d mix = blended(blend, canvas.get_pixel(column, y), colour);
-      PS_WATCH("canvas becomes", mix);
-      canvas.put_pixel(column, y, mix);
+      mix_pixel(canvas, x, y, colour, blend);
+      PS_WATCH("canvas becomes", canvas.get_pixel(x, y));
     }
   }
 }
@@ -73,9 +107,10 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
     const auto& triangle = std::get<CanvasTriangle>(item);
     std::array<Vec2d, 3> p = triangle.points;
     if (canvas.far_outside(p[0]) || canvas.far_outside(p[1]) || canvas.far_outside(p[2])) continue;
-    for (Vec2d& corner : p) corner = {std::trunc(corner.x), std::trunc(corner.y)};  // rows are whole numbers
+    for (Vec2d& vertex : p) vertex = {std::trunc(vertex.x), std::trunc(vertex.y)};  // rows are whole numbers
     PS_REACHING("triangle with vertex", p[0]);
-    if (triangle.filled) draw_filled_triangle(canvas, p, triangle.colours[0] * 255.0, triangle.blend);
+    const Vec3d colour = triangle.colours[0] * 255.0;
+    if (triangle.filled) draw_filled_triangle(canvas, p[0], p[1], p[2], colour, triangle.blend);
     if (triangle.outline) {
       const Vec3d outline = *triangle.outline * 255.0;
       draw_line(canvas, p[0], p[1], outline, Blend::replace);

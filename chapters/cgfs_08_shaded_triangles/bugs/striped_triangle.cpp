@@ -15,6 +15,11 @@ namespace ps {
 namespace cgfs_08_shaded_triangles {
 namespace {
 
+// One pixel of a shape: paint covers what is below, light is added to it.
+void mix_pixel(BookCanvas& canvas, double x, double y, const Vec3d& colour, Blend blend) {
+  canvas.put_pixel(x, y, blended(blend, canvas.get_pixel(x, y), colour));
+}
+
 // A vertex and its attribute are one thing: sorting moves both.
 struct Vertex {
   double x = 0, y = 0;
@@ -26,6 +31,7 @@ struct Sides {
   std::vector<double> x02, x012, h02, h012;
 };
 
+// interpolate() is that of chapter 6.
 Sides interpolate_along_sides(const Vertex& p0, const Vertex& p1, const Vertex& p2) {
   auto x01 = interpolate(p0.y, p0.x, p1.y, p1.x);
   auto h01 = interpolate(p0.y, p0.h, p1.y, p1.h);
@@ -72,26 +78,34 @@ void draw_shaded_triangle(BookCanvas& canvas, Vertex p0, Vertex p1, Vertex p2, c
       PS_WATCH("h", h);
       const Vec3d shaded_colour = colour * h;
       PS_WATCH("colour", shaded_colour);
-      const Vec3d mix = blended(blend, canvas.get_pixel(x, y), shaded_colour);
-      PS_WATCH("canvas becomes", mix);
-      canvas.put_pixel(x, y, mix);
+      mix_pixel(canvas, x, y, shaded_colour, blend);
+      PS_WATCH("canvas becomes", canvas.get_pixel(x, y));
     }
   }
 }
 
+// As in the chapter before.
 void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour, Blend blend) {
-  const bool flat = std::abs(p1.x - p0.x) > std::abs(p1.y - p0.y);
-  if (flat ? p1.x < p0.x : p1.y < p0.y) std::swap(p0, p1);
-  const double first = flat ? p0.x : p0.y, last = flat ? p1.x : p1.y;
-  const auto others = flat ? interpolate(first, p0.y, last, p1.y) : interpolate(first, p0.x, last, p1.x);
-  for (double step = first; step <= last; ++step) {
-    const double other = entry(others, step, first);
-    const Vec2d place = flat ? Vec2d(step, other) : Vec2d(other, step);
-    PS_PIXEL(place.x, place.y);
-    PS_WATCH("outline at", place);
-    const Vec3d mix = blended(blend, canvas.get_pixel(place.x, place.y), colour);
-    PS_WATCH("canvas becomes", mix);
-    canvas.put_pixel(place.x, place.y, mix);
+  if (std::abs(p1.x - p0.x) > std::abs(p1.y - p0.y)) {
+    if (p1.x < p0.x) std::swap(p0, p1);
+    const auto ys = interpolate(p0.x, p0.y, p1.x, p1.y);
+    for (double x = p0.x; x <= p1.x; ++x) {
+      const double y = entry(ys, x, p0.x);
+      PS_PIXEL(x, y);
+      PS_WATCH("outline at", Vec2d(x, y));
+      mix_pixel(canvas, x, y, colour, blend);
+      PS_WATCH("canvas becomes", canvas.get_pixel(x, y));
+    }
+  } else {
+    if (p1.y < p0.y) std::swap(p0, p1);
+    const auto xs = interpolate(p0.y, p0.x, p1.y, p1.x);
+    for (double y = p0.y; y <= p1.y; ++y) {
+      const double x = entry(xs, y, p0.y);
+      PS_PIXEL(x, y);
+      PS_WATCH("outline at", Vec2d(x, y));
+      mix_pixel(canvas, x, y, colour, blend);
+      PS_WATCH("canvas becomes", canvas.get_pixel(x, y));
+    }
   }
 }
 

@@ -13,18 +13,28 @@ namespace ps {
 namespace cgfs_10_scenes {
 namespace {
 
+// As in chapter 6, with its interpolate().
 void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour) {
-  const bool flat = std::abs(p1.x - p0.x) > std::abs(p1.y - p0.y);
-  if (flat ? p1.x < p0.x : p1.y < p0.y) std::swap(p0, p1);
-  const double first = flat ? p0.x : p0.y, last = flat ? p1.x : p1.y;
-  const auto others = flat ? interpolate(first, p0.y, last, p1.y) : interpolate(first, p0.x, last, p1.x);
-  for (double step = first; step <= last; ++step) {
-    const double other = entry(others, step, first);
-    const Vec2d place = flat ? Vec2d(step, other) : Vec2d(other, step);
-    PS_PIXEL(place.x, place.y);
-    PS_WATCH("place", place);
-    canvas.put_pixel(place.x, place.y, colour);
-    PS_WATCH("colour", colour);
+  if (std::abs(p1.x - p0.x) > std::abs(p1.y - p0.y)) {
+    if (p1.x < p0.x) std::swap(p0, p1);
+    const auto ys = interpolate(p0.x, p0.y, p1.x, p1.y);
+    for (double x = p0.x; x <= p1.x; ++x) {
+      const double y = entry(ys, x, p0.x);
+      PS_PIXEL(x, y);
+      PS_WATCH("place", Vec2d(x, y));
+      canvas.put_pixel(x, y, colour);
+      PS_WATCH("colour", colour);
+    }
+  } else {
+    if (p1.y < p0.y) std::swap(p0, p1);
+    const auto xs = interpolate(p0.y, p0.x, p1.y, p1.x);
+    for (double y = p0.y; y <= p1.y; ++y) {
+      const double x = entry(xs, y, p0.y);
+      PS_PIXEL(x, y);
+      PS_WATCH("place", Vec2d(x, y));
+      canvas.put_pixel(x, y, colour);
+      PS_WATCH("colour", colour);
+    }
   }
 }
 

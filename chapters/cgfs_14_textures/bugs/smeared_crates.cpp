@@ -87,6 +87,7 @@ Vec3d read_texel(const Texture& texture, const Vec2d& uv, bool demo_slips) {
   return texel_of(texture, static_cast<std::size_t>(index));
 }
 
+// sorted_by_height() and interpolate_sides() are the sort and the join of chapter 7.
 void draw_triangle(const BookScene& scene, BookCanvas& canvas, const Seen& seen) {
   const auto order = sorted_by_height(seen.canvas);
   const bool perspective = scene.settings.interpolation == Interpolation::perspective;
