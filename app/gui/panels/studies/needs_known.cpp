@@ -15,7 +15,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr double tick_room = 20, least_words = 250;  // at scale 1
+constexpr double tick_room = 20, least_words = 170;  // at scale 1
 
 float widest_label() {
   float widest = 0;
