@@ -106,7 +106,7 @@ std::vector<LessonHit> LessonIndex::hits_of(const std::vector<Sought>& sought, c
       found.push_back({{number, 0, HitPlace::title, begin, {}}, closeness_in(lesson.title)});
     }
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-      const auto& [heading, text] = lesson.steps[i];
+      const Text &heading = lesson.steps[i].heading, &text = lesson.steps[i].text;
       const auto in_heading = [&heading](const Sought& one) { return one.in(heading.small).has_value(); };
       const auto in_text = [&text](const Sought& one) { return one.in(text.small).has_value(); };
       LessonHit hit{number, static_cast<int>(i), HitPlace::heading, text_around(text.shown, {}), {}};
@@ -131,6 +131,7 @@ std::vector<LessonHit> LessonIndex::hits_of(const std::vector<Sought>& sought, c
   const auto rank = [](const Ranked& one) { return std::tuple(one.hit.place, one.closeness); };
   std::stable_sort(found.begin(), found.end(), [&](const Ranked& a, const Ranked& b) { return rank(a) < rank(b); });
   std::vector<LessonHit> hits;
+  hits.reserve(found.size());
   for (Ranked& one : found) hits.push_back(std::move(one.hit));
   return hits;
 }
@@ -170,6 +171,7 @@ LessonHits LessonIndex::find(std::string_view query) const {
   LessonHits found;
   if (words.empty()) return found;
   std::vector<Sought> sought;
+  sought.reserve(words.size());
   for (const std::string& word : words) sought.push_back({{word}, WordPart::any});
   const Sought phrase{{joined(words)}, WordPart::any};
   found.hits = hits_of(sought, phrase);
