@@ -26,4 +26,17 @@ bool has_words(std::string_view wanted, std::initializer_list<std::string_view> 
   }
 }
 
+bool letters_in_order(std::string_view wanted, std::string_view text) {
+  std::size_t at = 0;
+  for (const char c : text)
+    if (at < wanted.size() && lower(c) == lower(wanted[at])) ++at;
+  return at == wanted.size();
+}
+
+std::string in_small_letters(std::string_view text) {
+  std::string small(text);
+  std::transform(small.begin(), small.end(), small.begin(), lower);
+  return small;
+}
+
 }  // namespace ps

@@ -77,6 +77,22 @@ TEST(Kept, PresetsAndBookmarksAreThereAtTheNextStart) {
   EXPECT_EQ(run.status, 0) << run.errors;
 }
 
+// A lesson that was read to its last page, and no other one, has its tick in the list and in the picker.
+TEST(Kept, TicksOfLessonsAreThereAtTheNextStart) {
+  const auto folder = std::filesystem::absolute(fresh_output_folder("gui-kept-ticks"));
+  std::filesystem::create_directories(folder / "pixelscope");
+  std::string read =
+      "key F2\nwait idle\nexpect lessons/linear_algebra/read off\nclick lessons/linear_algebra\nwait idle\n";
+  for (int step = 1; step < 5; ++step) read += "key Shift+PageDown\nwait frames 3\n";
+  read += "expect step 5\nkey PageDown\nwait frames 3\nkey PageDown\nwait frames 3\nclick lesson/close\nwait idle\n";
+  auto run = start(folder, read);
+  ASSERT_EQ(run.status, 0) << run.errors;
+  run = start(folder, "key F2\nwait idle\nexpect lessons/linear_algebra/read on\n"
+                      "expect lessons/a_first_look/read off\nkey Ctrl+L\nwait frames 3\n"
+                      "expect picker/linear_algebra/read on\nexpect picker/a_first_look/read off\n");
+  EXPECT_EQ(run.status, 0) << run.errors;
+}
+
 TEST(Shots, AKeySavesThePicturesAndOneTheWindow) {
   const auto folder = std::filesystem::absolute(fresh_output_folder("gui-shots"));
   std::filesystem::create_directories(folder / "pictures");

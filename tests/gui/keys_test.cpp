@@ -30,9 +30,9 @@ Meanings meanings_of(const std::string& line) {
 
 /// What opens something in front of the window, or leaves the mode that the walk is about.
 bool leads_away(const std::string& action) {
-  for (const std::string start :
-       {"mode-", "save-", "shot-", "lesson-", "step-", "focus-", "open", "scenes", "quit", "fullscreen", "palette",
-        "help", "kept", "glossary", "history", "picture-b", "reload", "fly", "slow-motion"})
+  for (const std::string start : {"mode-",    "save-",   "shot-",     "lesson-",    "step-",   "focus-",     "open",
+                                  "scenes",   "lessons", "quit",      "fullscreen", "palette", "help",       "kept",
+                                  "glossary", "history", "picture-b", "reload",     "fly",     "slow-motion"})
     if (action.starts_with(start)) return true;
   return false;
 }

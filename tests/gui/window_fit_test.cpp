@@ -78,8 +78,10 @@ TEST_P(WindowFit, NothingIsCutInAnyModeOrTool) {
   for (const std::string tool : {"pixels", "stability", "needs", "why", "timings"})
     look_at("study: " + tool, "click bottom/" + tool + "\n");
   look_at("list of lessons", "key F2\n");
-  look_at("presenter", "key F5\n");
-  look_at("split", "key Esc\nkey F3\nkey X\n");
+  look_at("lessons found", "key Ctrl+L\nwait frames 3\ntype bresenham\nwait frames 3\n");
+  look_at("presenter", "key Esc\nwait frames 3\nkey F5\n");
+  look_at("presenter with slow motion", "key S\n");
+  look_at("split", "key S\nkey Esc\nkey F3\nkey X\n");
   look_at("difference", "key D\n");
   look_at("object with its gizmo", "key D\nkey T\nclick-pixel A 20,30\nwait idle\nclick options/object\n");
   look_at("false colours", "key N\n");

@@ -161,6 +161,11 @@ void App::Parts::add_actions() {
   actions.add({.name = "scenes", .label = "Gallery of scenes", .group = "Scene", .keys = "Ctrl+Shift+O", .run = [this] {
                  open_scene_gallery(my.scenes);
                }});
+  actions.add({.name = "lessons",
+               .label = "Find a lesson: pictures, and a search in all texts",
+               .group = "Lesson",
+               .keys = "Ctrl+L",
+               .run = [this] { open_lesson_picker(my.picker, session); }});
   add_picture_actions(actions, session, my.pictures);
   add_shot_actions(actions, session, my.pictures,
                    [this](std::function<void(Image<Rgb8>)> take) { shell.take_shot(std::move(take)); });
@@ -238,6 +243,8 @@ void App::Parts::offer_values() {
   values().offer("window/cut", [] { return fit_watch().cut(); });
   values().offer("window/overlap", [] { return fit_watch().overlap(); });
   values().offer("scenes/open", [this] { return my.scenes.open; });
+  values().offer("picker/open", [this] { return my.picker.open; });
+  values().offer("picker/pictures", [this] { return static_cast<int>(my.picker.thumbnails.count()); });
   offer_drawer_values(values(), session, panels);
   values().offer("first-look/offered", [this] { return offers_first_look; });
 }
@@ -255,10 +262,11 @@ void App::Parts::close_on_escape() {
     ImGui::ClosePopupToLevel(0, true);
     return;
   }
-  if (about.open || my.scenes.open || my.kept.open || my.lessons.glossary.open || my.lessons.notes.open) {
-    about.open = my.scenes.open = my.kept.open = my.lessons.glossary.open = my.lessons.notes.open = false;
-    return;
-  }
+  bool left = false;  // sheets over the window
+  for (bool* open : {&about.open, &my.scenes.open, &my.picker.open, &my.kept.open, &my.lessons.glossary.open,
+                     &my.lessons.notes.open})
+    left |= std::exchange(*open, false);
+  if (left) return;
   if (!dropped.file.empty()) {
     dropped = {};
     return;
@@ -307,6 +315,7 @@ bool App::Parts::unsafe_busy() const {
 bool App::Parts::busy() const {
   return session.busy() || session.has_news() || my.pictures.meter->busy() || my.pictures.meter->has_news() ||
          unsafe_busy() || (my.scenes.open && my.scenes.thumbnails.busy()) ||
+         (my.picker.open && my.picker.thumbnails.busy()) ||
          std::any_of(panels.begin(), panels.end(), [](const Panel& panel) { return panel.busy && panel.busy(); });
 }
 
@@ -357,6 +366,7 @@ void App::Parts::draw() {
   files.draw();
   about.draw();
   scene_gallery(session, my.scenes);
+  lesson_picker(session, my.picker, my.lessons.read);
   kept_panel(session, my.kept);
   dropped_picture(session, dropped);
   if (auto link = glossary_sheet(session, my.lessons.glossary)) my.lessons.followed = std::move(link);

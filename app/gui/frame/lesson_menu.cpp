@@ -4,12 +4,15 @@
 #include "gui/frame/menu_bar.h"
 #include "gui/panels/lesson/lesson_list.h"
 #include "gui/panels/lesson/lesson_panel.h"
+#include "gui/widgets/tick.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
 
 void MenuBar::lesson_menu() {
   if (!begin_menu("menu/lesson", "Lessons")) return;
+  menu_action(actions_, "lessons");
+  ImGui::Separator();
   std::string_view part;
   for (const ListedLesson& lesson : listed_lessons()) {
     if (lesson.part != part) {

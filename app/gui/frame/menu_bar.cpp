@@ -23,6 +23,7 @@ void MenuBar::view_menu() {
   items({"side-by-side", "split", "difference", "only-a", "only-b"});
   items({"fit", "one-to-one", "zoom-in", "zoom-out", "grid", "handles", "gizmo"});
   items({"channel-next", "channel-before"});
+  items({"slow-motion"});
   items({"mode-lesson", "mode-explore", "mode-study", "mode-presenter"});
   items({"panels", "fullscreen"});
   items({"predict"});

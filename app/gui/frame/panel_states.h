@@ -4,6 +4,7 @@
 #include "gui/frame/drawer.h"
 #include "gui/panels/kept/kept_panel.h"
 #include "gui/panels/lesson/lesson_panel.h"
+#include "gui/panels/lesson/lesson_picker.h"
 #include "gui/panels/microscope/microscope_panel.h"
 #include "gui/panels/options/history_panel.h"
 #include "gui/panels/options/options_panel.h"
@@ -34,6 +35,7 @@ struct PanelStates {
   SceneGallery scenes;
   KeptState kept;
   LessonShelf lessons;
+  LessonPicker picker;
   OptionsPanelState options;
   HistoryPanelState history;
   PredictState predict;

@@ -360,9 +360,9 @@ bool rows_match_names(const std::vector<Panel>& panels) {
 }  // namespace
 
 PanelStates::PanelStates(const std::function<void()>& wake, bool remember)
-    : scenes(wake), lessons(wake), history(wake), pixel(wake), space(wake), microscope(wake), pixels(wake),
-      listing(wake), folder(remember), chart(wake), stability(wake), needs(wake), why(wake), timings(wake),
-      unsafe(wake) {
+    : scenes(wake), lessons(wake), picker(wake), history(wake), pixel(wake), space(wake), microscope(wake),
+      pixels(wake), listing(wake), folder(remember), chart(wake), stability(wake), needs(wake), why(wake),
+      timings(wake), unsafe(wake) {
   predict.lesson = std::make_unique<LessonQuestions>(wake, remember, lessons);
   pictures.meter = std::make_unique<DifferenceMeter>(wake);
   stability.folder = folder.of("stability");

@@ -154,7 +154,7 @@ void Regions::lesson_text(const Area& area) {
   const Lesson* lesson = my_.lessons.open(session_);
   if (!lesson) {
     begin_region(session_, "lesson", area, "LESSONS");
-    lesson_list(session_, my_.lessons.read);
+    if (lesson_list(session_, my_.lessons.read)) open_lesson_picker(my_.picker, session_);
     ImGui::EndChild();
     return;
   }

@@ -39,20 +39,11 @@ bool in_one_piece(const std::string& wanted, const std::string& label) {
 std::optional<Fit> fit_of(const std::string& wanted, const std::string& label, std::string_view words) {
   if (in_one_piece(wanted, label)) return Fit::label_has_it;
   if (has_words(wanted, {label, words})) return Fit::words_have_it;
-  if (palette_matches(wanted, label)) return Fit::letters_in_order;
+  if (letters_in_order(wanted, label)) return Fit::letters_in_order;
   return {};
 }
 
 }  // namespace
-
-bool palette_matches(const std::string& wanted, const std::string& label) {
-  std::size_t at = 0;
-  for (const char c : label)
-    if (at < wanted.size() &&
-        std::tolower(static_cast<unsigned char>(c)) == std::tolower(static_cast<unsigned char>(wanted[at])))
-      ++at;
-  return at == wanted.size();
-}
 
 void CommandPalette::open() {
   open_ = just_opened_ = true;

@@ -22,7 +22,4 @@ class CommandPalette {
   std::vector<PaletteEntry> entries_;  // besides the actions, as they were when it was opened
 };
 
-/// Whether the letters of `wanted` occur in `label` in this order, whatever their case; words first.
-bool palette_matches(const std::string& wanted, const std::string& label);
-
 }  // namespace ps::gui

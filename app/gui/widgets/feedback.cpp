@@ -46,7 +46,8 @@ void place_beside_last_item() {
   ImGui::SetNextWindowPos({left, room_below ? max.y + away : std::max(0.f, min.y - away - last_size.y)});
 }
 
-float tooltip_width() { return ImGui::GetFontSize() * 38; }
+/// Never wider than the window, with room for its margins.
+float tooltip_width() { return std::min(ImGui::GetFontSize() * 38, ImGui::GetIO().DisplaySize.x - px(40)); }
 
 }  // namespace
 

@@ -36,6 +36,8 @@ class Thumbnails {
   /// Once per frame after all find(): takes up what has come, starts the next, forgets those not among `ids`.
   void update(const std::set<std::uint64_t>& ids);
   bool busy() const;
+  /// How many there are, empty ones among them.
+  std::size_t count() const { return made_.size(); }
 
  private:
   struct Made {

@@ -11,6 +11,7 @@
 #include "gui/widgets/draw.h"
 #include "gui/widgets/overlay.h"
 #include "gui/widgets/shorten.h"
+#include "gui/widgets/text_field.h"
 #include "gui/widgets/widgets.h"
 #include "options/option.h"
 
@@ -56,7 +57,7 @@ void presets(Session& session, KeptState& state) {
     if (delete_button(name, entry)) gone = i;
   }
   const float fields = button_width("Keep A's") + button_width("Keep B's") + px(8);
-  search_box("preset-name", state.preset_name, "Name of a preset",
+  text_field("preset-name", state.preset_name, "Name of a preset",
              {.width = ImGui::GetContentRegionAvail().x - fields - px(4)});
   const std::string_view nameless = state.preset_name.empty() ? "It needs a name." : "";
   for (const Side side : both_sides) {
@@ -84,7 +85,7 @@ void bookmarks(Session& session, KeptState& state) {
     }
     if (delete_button(name, entry)) gone = i;
   }
-  search_box("bookmark-name", state.bookmark_name, "Name of this screen",
+  text_field("bookmark-name", state.bookmark_name, "Name of this screen",
              {.width = ImGui::GetContentRegionAvail().x - button_width("Bookmark") - px(4)});
   ImGui::SameLine(0, px(4));
   if (button("bookmark", "Bookmark", Emphasis::plain,

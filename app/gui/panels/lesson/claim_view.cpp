@@ -9,6 +9,7 @@
 #include "engine/metric_words.h"
 #include "gui/panels/lesson/lesson_list.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/tick.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {

@@ -4,7 +4,7 @@
 
 #include "base/check.h"
 #include "engine/course.h"
-#include "gui/widgets/draw.h"
+#include "gui/widgets/tick.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -19,40 +19,52 @@ Course readable_course() {
   }
 }
 
-std::vector<ListedLesson> readable_lessons() {
-  std::vector<ListedLesson> lessons;
+struct ReadableLessons {
+  std::vector<ListedLesson> listed;
+  LessonIndex index;
+};
+
+ReadableLessons read_lessons() {
+  ReadableLessons all;
   const Course course = readable_course();
   for (const auto& name : lesson_names()) {
-    ListedLesson& listed = lessons.emplace_back();
+    ListedLesson& listed = all.listed.emplace_back();
+    Lesson lesson;
     listed.name = listed.title = name;
     listed.part = part_title(course, name);
     try {
-      const Lesson lesson = load_lesson(name);
+      lesson = load_lesson(name);
       listed.title = lesson.title;
       listed.source = lesson.source;
       listed.length = length_of(lesson);
+      for (const LessonStep& step : lesson.steps) listed.steps.push_back(step.title);
     } catch (const InputError& error) {
       listed.fault = error.what();
     }
+    all.index.add(lesson);
   }
+  return all;
+}
+
+const ReadableLessons& readable_lessons() {
+  static const ReadableLessons lessons = read_lessons();
   return lessons;
 }
 
 }  // namespace
 
-void draw_tick(ImVec2 row, float height) {
-  const float x = row.x + px(4), y = row.y + height / 2;
-  const ImVec2 points[]{{x, y}, {x + px(4), y + px(4)}, {x + px(11), y - px(5)}};
-  ImGui::GetWindowDrawList()->AddPolyline(points, 3, colour_u32(palette().right_mark), ImDrawFlags_None, px(2.5));
+const std::vector<ListedLesson>& listed_lessons() { return readable_lessons().listed; }
+
+const LessonIndex& lesson_index() { return readable_lessons().index; }
+
+std::string short_length(const LessonLength& length) {
+  return fmt::format("{} step{}, {} min", length.steps, length.steps == 1 ? "" : "s", length.minutes());
 }
 
-const std::vector<ListedLesson>& listed_lessons() {
-  static const std::vector<ListedLesson> lessons = readable_lessons();
-  return lessons;
-}
-
-void lesson_list(Session& session, const ReadLessons& read) {
+bool lesson_list(Session& session, const ReadLessons& read) {
   const NameScope scope("lessons");
+  const bool find = button("find", "Find in all lessons", Emphasis::primary,
+                           {.tooltip = "Pictures of all lessons, and a search in their texts.", .disabled = {}});
   ImGui::BeginChild("lessons");
   std::string_view part;
   for (const ListedLesson& lesson : listed_lessons()) {
@@ -62,8 +74,7 @@ void lesson_list(Session& session, const ReadLessons& read) {
       ImGui::TextDisabled("%s", lesson.part.c_str());
     }
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const std::string text =
-        fmt::format("{}   {} steps, {} min", lesson.title, lesson.length.steps, lesson.length.minutes());
+    const std::string text = lesson.title + "   " + short_length(lesson.length);
     if (tree_row(lesson.name, text, TreeKind::leaf, false).clicked) go_to_step(session, lesson.name, 0);
     const bool is_read = read.names.contains(lesson.name);
     tooltip(fmt::format("{}\n{}{}", lesson.source, is_read ? "Read to the end; " : "", length_text(lesson.length)));
@@ -71,6 +82,7 @@ void lesson_list(Session& session, const ReadLessons& read) {
     controls().record(lesson.name + "/read", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), is_read ? "on" : "off");
   }
   ImGui::EndChild();
+  return find;
 }
 
 }  // namespace ps::gui

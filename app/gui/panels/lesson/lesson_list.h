@@ -1,10 +1,9 @@
 #pragma once
-#include <imgui.h>
-
 #include <string>
 #include <vector>
 
 #include "engine/lesson_length.h"
+#include "engine/lesson_search.h"
 #include "gui/panels/lesson/lesson_panel.h"
 
 namespace ps::gui {
@@ -12,7 +11,8 @@ namespace ps::gui {
 /// A lesson as lists show it.
 struct ListedLesson {
   std::string name, title, source;
-  std::string part;  ///< of the course
+  std::string part;                ///< of the course
+  std::vector<std::string> steps;  ///< their headings
   LessonLength length;
   std::string fault;  ///< why it cannot be read; its title is its name then
 };
@@ -20,10 +20,14 @@ struct ListedLesson {
 /// All lessons in their order; read once.
 const std::vector<ListedLesson>& listed_lessons();
 
-/// The tick of a lesson that was read to its end, at the left end of its row.
-void draw_tick(ImVec2 row, float height);
+/// For a search in their texts; lessons have the same numbers there.
+const LessonIndex& lesson_index();
+
+/// "7 steps, 12 min"
+std::string short_length(const LessonLength& length);
 
 /// The list of lessons, each with its steps and minutes, and a tick if it was read to the end. A click begins one.
-void lesson_list(Session& session, const ReadLessons& read);
+/// Answers whether the picker with pictures and a search was asked for.
+bool lesson_list(Session& session, const ReadLessons& read);
 
 }  // namespace ps::gui

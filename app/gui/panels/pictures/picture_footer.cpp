@@ -58,7 +58,10 @@ std::vector<FooterItem> footer_items(Session& session, Side side, CaptionChange&
   if (const auto file = session.picture_b(); side == Side::b && file)
     return {{{}, fmt::format("{}{} x {} pixels", lead, file->levels.width(), file->levels.height()), file->path}};
   const auto result = session.renderer(side).result();
-  if (const std::string words = slow_words(session, side); !words.empty()) return {{"slow", lead + words, words}};
+  if (const std::string words = slow_words(session, side); !words.empty()) {
+    if (session.document().mode == ScreenMode::presenter) return {};  // they are in large type in the strip
+    return {{"slow", lead + words, words}};
+  }
   const double now = ImGui::GetTime();
   change.take(result, now);
   std::vector<FooterItem> items;

@@ -10,6 +10,7 @@
 #include "gui/panels/pictures/marks.h"
 #include "gui/panels/pictures/picture_frame.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/shorten.h"
 #include "gui/widgets/widgets.h"
 #include "render/slow_motion.h"
 
@@ -20,7 +21,21 @@ constexpr const char* order_words =
     "In the order of the clear path on one thread. A and B stand at the same share of their work, "
     "and where they count the same, at the same number.";
 constexpr const char* order_note = "clear path, one thread";
-constexpr double unit_width = 104, knob = 7, least_scrubber = 120, good_scrubber = 200;
+constexpr double knob = 7, least_scrubber = 120, good_scrubber = 200;
+
+bool presents(const Session& session) { return session.document().mode == ScreenMode::presenter; }
+
+/// Before a class all words are as large as the lesson's caption.
+Face strip_face(const Session& session) { return presents(session) ? Face::caption : Face::body; }
+
+/// Of the list of units: the longest has room in it.
+float unit_width(const Session& session) {
+  constexpr double arrow = 32;  // at scale 1, with the space around the word
+  float widest = 0;
+  for (const SlowUnitRow& row : slow_units())
+    widest = std::max(widest, width_of(strip_face(session), std::string(row.label)));
+  return widest + px(arrow);
+}
 
 /// What a side counts, or that it shows all.
 void unit_choice(Session& session, Side side) {
@@ -34,8 +49,8 @@ void unit_choice(Session& session, Side side) {
     idle.push_back(slow_motion_lacks(row.unit, session.settings(side), session.traits()).value_or(""));
   }
   const std::string tip = fmt::format("What {} counts.", letter_of(side));
-  if (!drop_down(side == Side::a ? "slow/unit-a" : "slow/unit-b", choices, index, px(unit_width),
-                 {.tooltip = tip, .idle = idle}))
+  if (!drop_down(side == Side::a ? "slow/unit-a" : "slow/unit-b", choices, index, unit_width(session),
+                 {.tooltip = tip, .idle = idle}, {.face = strip_face(session)}))
     return;
   if (!idle[static_cast<std::size_t>(index)].empty()) return;
   std::optional<SlowMotion> next;
@@ -75,11 +90,11 @@ struct StripWidths {
   float badge = 0, unit = 0, rest = 0;  ///< rest: all but the scrubber
 };
 
-StripWidths strip_widths(StripForm form) {
+StripWidths strip_widths(const Session& session, StripForm form) {
   const float space = px(6);
   StripWidths widths;
   widths.badge = ImGui::GetFrameHeight() * 0.7f;
-  widths.unit = px(unit_width) + widths.badge + 2 * space;
+  widths.unit = unit_width(session) + widths.badge + 2 * space;
   widths.rest = std::max(button_width("Play"), button_width("Pause")) + 2 * space;
   widths.rest += widths.unit * (form == StripForm::one_unit ? 1 : 2);
   widths.rest += form == StripForm::full
@@ -88,22 +103,48 @@ StripWidths strip_widths(StripForm form) {
   return widths;
 }
 
-StripForm strip_form(float width) {
+StripForm strip_form(const Session& session, float width) {
   for (const StripForm form : {StripForm::full, StripForm::without_steps})
-    if (strip_widths(form).rest + px(least_scrubber) <= width) return form;
+    if (strip_widths(session, form).rest + px(least_scrubber) <= width) return form;
   return StripForm::one_unit;
+}
+
+/// Before a class: where each picture stands, in place of the small print below it.
+void places_in_words(Session& session) {
+  auto& list = *ImGui::GetWindowDrawList();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
+  for (const Side side : both_sides) {
+    const std::string words = slow_words(session, side);
+    if (words.empty()) continue;
+    const ImVec2 corner{at.x + (side == Side::a ? 0 : width / 2), at.y};
+    const float left = corner.x + height + px(8), room = width / 2 - height - px(16);
+    side_badge(list, corner, height, side);
+    // The number alone where there is no room for what it was.
+    const bool fits = text_width(words) <= room;
+    const std::string shown = fits ? words : whole_words(words.substr(0, words.find(": ")), room);
+    draw_lines({left, at.y}, shown, palette().text);
+    controls().record(side == Side::a ? "slow/place-a" : "slow/place-b", {left, at.y},
+                      {left + text_width(shown), at.y + height}, shown);
+  }
+  ImGui::Dummy({width, height});
 }
 
 }  // namespace
 
 float slow_strip_height(const Session& session) {
-  return slow_motion_open(session) ? ImGui::GetFrameHeight() + px(6) : 0;
+  if (!slow_motion_open(session)) return 0;
+  const float words = theme().font(strip_face(session))->FontSize;
+  const float line = presents(session) ? words + ImGui::GetStyle().ItemSpacing.y : 0;
+  return line + words + 2 * ImGui::GetStyle().FramePadding.y + px(6);
 }
 
 void slow_strip(Session& session, SlowMotionState& state) {
+  const FontScope font(strip_face(session));
+  if (presents(session)) places_in_words(session);
   const float space = px(6), width = ImGui::GetContentRegionAvail().x;
-  const StripForm form = strip_form(width);
-  const StripWidths widths = strip_widths(form);
+  const StripForm form = strip_form(session, width);
+  const StripWidths widths = strip_widths(session, form);
   if (button("slow/play", state.playing ? "Pause" : "Play", Emphasis::plain,
              {.tooltip = "Plays the drawing of both pictures, or stops it (Space)."}))
     play_slow_motion(session, state);
@@ -117,14 +158,14 @@ void slow_strip(Session& session, SlowMotionState& state) {
     ImGui::SameLine(0, space);
   }
   const float room = width - widths.rest, note = width_of(Face::small, order_note) + space;
-  const bool has_note = room - note >= px(good_scrubber);
+  const bool has_note = !presents(session) && room - note >= px(good_scrubber);
   scrubber(session, state, std::max(px(2 * knob), has_note ? room - note : room));
   if (has_note) {
     ImGui::SameLine(0, space);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImFont* font = theme().font(Face::small);
-    const float down = (ImGui::GetFrameHeight() - font->FontSize) / 2;
-    ImGui::GetWindowDrawList()->AddText(font, font->FontSize, {at.x, at.y + down}, colour_u32(palette().text_quiet),
+    ImFont* small = theme().font(Face::small);
+    const float down = (ImGui::GetFrameHeight() - small->FontSize) / 2;
+    ImGui::GetWindowDrawList()->AddText(small, small->FontSize, {at.x, at.y + down}, colour_u32(palette().text_quiet),
                                         order_note);
     ImGui::Dummy({note - space, ImGui::GetFrameHeight()});
     controls().record("slow/order", order_note);

@@ -8,6 +8,7 @@
 
 #include "document/number_list.h"
 #include "gui/panels/pictures/picture_text.h"
+#include "gui/panels/studies/needs_known.h"
 #include "gui/panels/studies/needs_view.h"
 #include "gui/panels/studies/pause_and_stop.h"
 #include "gui/widgets/widgets.h"
@@ -208,6 +209,7 @@ bool needs_tab(Session& session, NeedsTabState& state, bool filled) {
   }
   ImGui::BeginChild("result");
   if (!state.needs) {
+    needs_known(session.settings(state.side), session.traits(), letter_of(state.side));
     invitation(state);
   } else {
     needs_in_words(state);

@@ -1,0 +1,29 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/lesson_search.h"
+
+/// Parts of LessonIndex that know nothing of lessons. All texts and words are in small letters.
+
+namespace ps {
+
+/// A word's place in a text.
+struct FoundWord {
+  TextRange range;
+  bool begins_word = false;  ///< not behind a letter of the same word
+};
+
+/// The first place where the word begins a word; else its first place within one. `whole`: it must end there, too.
+enum class WordPart { whole, any };
+std::optional<FoundWord> find_word(std::string_view text, std::string_view word, WordPart part);
+
+/// Appends the words of at least 3 letters; digits count as letters.
+void append_words(std::string_view text, std::vector<std::string>& words);
+
+/// About 100 bytes of `shown` around a place, from blank to blank, with "…" where something was left out.
+std::string text_around(std::string_view shown, const TextRange& place);
+
+}  // namespace ps
