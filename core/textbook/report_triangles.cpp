@@ -63,7 +63,7 @@ class TriangleReporter {
     FragmentEvent event;
     event.id = id_of(triangle);
     event.clipped_into = 1;
-    const auto corners = reader_.below(triangle, "corner");
+    const auto corners = reader_.below(triangle, "vertex");
     for (std::size_t k = 0; k < 3 && k < corners.size(); ++k) {
       event.corners[k] = on_canvas(reader_.last<Vec2d>(corners[k], "on the canvas").value_or(Vec2d(0)));
       event.corner_depth[k] = reader_.last<Vec3d>(corners[k], "from the camera").value_or(Vec3d(0, 0, 1)).z;
@@ -195,7 +195,7 @@ class TriangleReporter {
 
   /// An edge of a triangle: the one that passes nearest to the pixel.
   void report_outline(int pixel, int triangle) {
-    const auto corners = reader_.below(triangle, "corner");
+    const auto corners = reader_.below(triangle, "vertex");
     const auto place = reader_.last<Vec2d>(pixel, "place");
     if (corners.size() < 3 || !place) return;
     std::array<Vec2d, 3> p{};

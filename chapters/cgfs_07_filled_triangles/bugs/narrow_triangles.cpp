@@ -63,9 +63,9 @@ void draw_filled_triangle(BookCanvas& canvas, Vec2d p0, Vec2d p1, Vec2d p2, cons
   if (p1.y < p0.y) std::swap(p1, p0);
   if (p2.y < p0.y) std::swap(p2, p0);
   if (p2.y < p1.y) std::swap(p2, p1);
-  PS_WATCH("lowest corner", p0);
-  PS_WATCH("middle corner", p1);
-  PS_WATCH("highest corner", p2);
+  PS_WATCH("lowest vertex", p0);
+  PS_WATCH("middle vertex", p1);
+  PS_WATCH("highest vertex", p2);
 
   // x on each row. One side goes from the lowest vertex to the highest; the two others share the way.
   const std::vector<double> x02 = interpolate(p0.y, p0.x, p2.y, p2.x);

@@ -63,7 +63,7 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
       std::array<Vec2d, 3> p;
       bool in_front = true;
       for (std::size_t k = 0; k < 3; ++k) {
-        PS_EACH("corner", k);
+        PS_EACH("vertex", k);
         const Vec3d vertex = instance.model->positions[triangle.position[k]];
         PS_WATCH("in the model", vertex);
         const Vec3d seen = transform(to_camera, vertex);

@@ -124,7 +124,7 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
       PS_REACHING("triangle", instance.number_of(triangle));
       Triangle seen;
       for (std::size_t k = 0; k < 3; ++k) {
-        PS_EACH("corner", k);
+        PS_EACH("vertex", k);
         seen[k] = transform(to_camera, transform(place, instance.model->positions[triangle.position[k]]));
         PS_WATCH("from the camera", seen[k]);
       }

@@ -76,7 +76,7 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
       std::array<Vec2d, 3> p;
       bool whole = true;
       for (std::size_t k = 0; k < 3; ++k) {
-        PS_EACH("corner", k);
+        PS_EACH("vertex", k);
         seen[k] = transform(to_camera, instance.model->positions[triangle.position[k]]);
         PS_WATCH("from the camera", seen[k]);
         p[k] = project(scene, seen[k]);

@@ -84,27 +84,27 @@ void draw_triangle(const BookScene& scene, BookCanvas& canvas, const Seen& seen)
   }
 
   // What is interpolated: nothing, the intensity at the vertices (as x), or the normal.
-  std::array<Vec3d, 3> corner{};
+  std::array<Vec3d, 3> at_vertex{};
   const Shading shading = scene.settings.shading;
   if (shading == Shading::flat) {
     const Vec3d middle = (seen.vertex[0] + seen.vertex[1] + seen.vertex[2]) / 3.0;
     const double all = compute_illumination(scene, middle, seen.normal[order[0]], seen.surface.specular);
     PS_WATCH("intensity of the whole triangle", all);
-    corner.fill({all, 0, 0});
+    at_vertex.fill({all, 0, 0});
   } else {
     for (std::size_t k = 0; k < 3; ++k) {
-      corner[k] = seen.normal[k];
+      at_vertex[k] = seen.normal[k];
       if (shading == Shading::phong) continue;
       PS_EACH("vertex, from below", k);
-      const double own = compute_illumination(scene, seen.vertex[order[k]], corner[k], seen.surface.specular);
-      PS_WATCH("intensity of the corner", own);
-      corner[k] = {own, 0, 0};
+      const double own = compute_illumination(scene, seen.vertex[order[k]], at_vertex[k], seen.surface.specular);
+      PS_WATCH("intensity at the vertex", own);
+      at_vertex[k] = {own, 0, 0};
     }
   }
 
   const auto x = interpolate_sides<double>(y, columns);
   const auto z = interpolate_sides<double>(y, inverse_z);
-  const auto sides = interpolate_sides<Vec3d>(y, corner);
+  const auto sides = interpolate_sides<Vec3d>(y, at_vertex);
   const std::size_t middle = x.long_side.size() / 2;
   const bool long_is_left = x.long_side[middle] < x.short_sides[middle];
 
@@ -154,7 +154,7 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
       Seen seen;
       bool whole = true;
       for (std::size_t k = 0; k < 3; ++k) {
-        PS_EACH("corner", k);
+        PS_EACH("vertex", k);
         seen.vertex[k] = transform(to_camera, mesh.positions[triangle.position[k]]);
         PS_WATCH("from the camera", seen.vertex[k]);
         seen.canvas[k] = project(scene, seen.vertex[k]);
@@ -184,7 +184,7 @@ extern const Listing cgfs_13_shading;
 const Listing cgfs_13_shading{
     .label = "shading",
     .source = "CGFS ch. 13",
-    .shows = "Lit models: one intensity for a triangle, for each corner, or for each pixel.",
+    .shows = "Lit models: one intensity for a triangle, for each vertex, or for each pixel.",
     .order = ListingOrder::object_by_object,
     .reads = {"shading", "normals", "specular", "demo-slips"},
     .draws = {.models = true, .light = true},

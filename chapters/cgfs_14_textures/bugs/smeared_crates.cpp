@@ -158,13 +158,13 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
       Seen seen;
       bool whole = true;
       for (std::size_t k = 0; k < 3; ++k) {
-        PS_EACH("corner", k);
+        PS_EACH("vertex", k);
         seen.vertex[k] = transform(to_camera, mesh.positions[triangle.position[k]]);
         seen.canvas[k] = project(scene, seen.vertex[k]);
         PS_WATCH("on the canvas", seen.canvas[k]);
         whole = whole && seen.vertex[k].z > 0 && !canvas.far_outside(seen.canvas[k]);
         seen.uv[k] = triangle.uv[k] >= 0 ? mesh.uvs[static_cast<std::size_t>(triangle.uv[k])] : Vec2d(0, 0);
-        PS_WATCH("u, v of the corner", seen.uv[k]);
+        PS_WATCH("u, v of the vertex", seen.uv[k]);
       }
       if (!whole) continue;
       const Vec3d flat_normal = cross(seen.vertex[1] - seen.vertex[0], seen.vertex[2] - seen.vertex[0]);

@@ -217,7 +217,7 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
       Triangle seen;
       bool whole = true;
       for (std::size_t k = 0; k < 3; ++k) {
-        PS_EACH("corner", k);
+        PS_EACH("vertex", k);
         seen[k] = transform(to_camera, world[i][k]);
         PS_WATCH("from the camera", seen[k]);
         PS_WATCH("on the canvas", project(scene, seen[k]));
