@@ -6,7 +6,6 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <thread>
 
 #include "base/atomic_file.h"
 #include "base/check.h"
@@ -37,14 +36,10 @@ std::string field(std::string text) {
 
 /// Keeps other windows from adding an answer that would be lost when this one replaces the file.
 FileLock lock_answers(const std::filesystem::path& file) {
-  constexpr int tries = 50;
-  constexpr std::chrono::milliseconds pause{20};  // adding an answer takes a few milliseconds
+  constexpr std::chrono::seconds patience{1};  // adding an answer takes a few milliseconds
   auto lock_file = file;
   lock_file += ".lock";
-  for (int i = 0; i < tries; ++i) {
-    if (auto lock = FileLock::try_lock(lock_file)) return std::move(*lock);
-    std::this_thread::sleep_for(pause);
-  }
+  if (auto lock = FileLock::lock_within(lock_file, patience)) return std::move(*lock);
   throw InputError(fmt::format("{}: another program is adding an answer there", file.string()));
 }
 

@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include <fcntl.h>
@@ -23,6 +24,17 @@ std::optional<FileLock> FileLock::try_lock(const std::filesystem::path& path) {
   lock.guards_ = flock(file, LOCK_EX | LOCK_NB) == 0;
   if (!lock.guards_ && errno == EWOULDBLOCK) return {};
   return lock;
+}
+
+std::optional<FileLock> FileLock::lock_within(const std::filesystem::path& path, std::chrono::milliseconds patience) {
+  // Asks again and again: a call that blocks could not be given up.
+  constexpr std::chrono::milliseconds pause{5};
+  const auto end = std::chrono::steady_clock::now() + patience;
+  while (true) {
+    if (auto lock = try_lock(path)) return lock;
+    if (std::chrono::steady_clock::now() >= end) return {};
+    std::this_thread::sleep_for(pause);
+  }
 }
 
 FileLock::FileLock(FileLock&& other) noexcept : file_(std::exchange(other.file_, -1)), guards_(other.guards_) {}

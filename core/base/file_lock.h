@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <filesystem>
 #include <optional>
 
@@ -11,6 +12,8 @@ class FileLock {
   /// Creates the file if it is missing; it stays when the lock goes. Nothing if another holds it. On a file system
   /// without locks it excludes no other process. Throws InputError if the file cannot be made or opened.
   static std::optional<FileLock> try_lock(const std::filesystem::path& path);
+  /// The same, but waits up to `patience` until the other lets it go.
+  static std::optional<FileLock> lock_within(const std::filesystem::path& path, std::chrono::milliseconds patience);
 
   FileLock(FileLock&& other) noexcept;
   FileLock& operator=(FileLock&& other) noexcept;

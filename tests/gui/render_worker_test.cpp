@@ -4,9 +4,11 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <new>
 #include <thread>
 
 #include "frame/display_frame.h"
+#include "gui/work/background_study.h"
 #include "gui/work/inspect_worker.h"
 #include "gui/work/render_worker.h"
 #include "options/option.h"
@@ -315,6 +317,66 @@ TEST(InspectWorker, ReportsTheNewestPixelOnly) {
   worker.request({request_with(1), {19, 3}});
   EXPECT_FALSE(worker.busy()) << "the same pixel again is nothing new";
   EXPECT_EQ(calls, before);
+}
+
+// What runs out of memory says so, in words that name what to do, and not as the language names the exception. It ends
+// neither the program nor the worker.
+void expect_words_about_memory(const std::string& message) {
+  EXPECT_NE(message.find("not enough memory"), std::string::npos) << message;
+  EXPECT_NE(message.find("try"), std::string::npos) << message;
+  EXPECT_EQ(message.find("bad_alloc"), std::string::npos) << message;
+}
+
+TEST(RenderWorker, WithoutMemoryItFailsInWords) {
+  std::atomic<int> wakes{0};
+  RenderWorker worker(
+      std::make_shared<Prepared>(), [&] { ++wakes; },
+      [](const Scene&, const View& view, const Settings& settings, const RenderRequest& request, Prepared&,
+         Progress& progress) {
+        if (settings.near > 1) throw std::bad_alloc();
+        return GatedRenderer(true)(view, settings, request, progress);
+      });
+  worker.request(request_with(2));
+  ASSERT_TRUE(comes_true([&] { return worker.status().state == RenderState::failed && wakes > 0; }));
+  expect_words_about_memory(worker.status().message);
+  EXPECT_TRUE(worker.has_news());
+  EXPECT_EQ(worker.result(), nullptr);
+  worker.request(request_with(1));
+  ASSERT_TRUE(comes_true([&] { return worker.status().state == RenderState::done; }));
+  EXPECT_EQ(worker.status().message, "");
+}
+
+TEST(InspectWorker, WithoutMemoryItFailsInWords) {
+  std::atomic<int> wakes{0};
+  InspectWorker worker(
+      std::make_shared<Prepared>(), [&] { ++wakes; },
+      [](const Scene&, const View&, const Settings& settings, Vec2i, Prepared&, Progress&) {
+        if (settings.near > 1) throw std::bad_alloc();
+        return PixelStory{};
+      });
+  worker.request({request_with(2), {0, 0}});
+  ASSERT_TRUE(comes_true([&] { return !worker.busy() && wakes > 0; }));
+  expect_words_about_memory(worker.message());
+  EXPECT_TRUE(worker.has_news());
+  EXPECT_EQ(worker.story(), nullptr);
+  worker.request({request_with(1), {0, 0}});
+  ASSERT_TRUE(comes_true([&] { return !worker.busy(); }));
+  EXPECT_EQ(worker.message(), "");
+  EXPECT_NE(worker.story(), nullptr);
+}
+
+TEST(BackgroundStudy, WithoutMemoryItFailsInWords) {
+  std::atomic<int> wakes{0};
+  BackgroundStudy<int> study([&] { ++wakes; });
+  study.start([](StudyControl&, const BackgroundStudy<int>::Publish&) { throw std::bad_alloc(); });
+  ASSERT_TRUE(comes_true([&] { return study.state() == StudyState::failed && wakes > 0; }));
+  expect_words_about_memory(study.message());
+  EXPECT_FALSE(study.running());
+  study.start(
+      [](StudyControl&, const BackgroundStudy<int>::Publish& publish) { publish(std::make_shared<const int>(7), {}); });
+  ASSERT_TRUE(comes_true([&] { return study.state() == StudyState::done; }));
+  EXPECT_EQ(study.message(), "");
+  EXPECT_EQ(*study.found(), 7);
 }
 
 // Numbers of objects and lights mean something in the story's own scene only.

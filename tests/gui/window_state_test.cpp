@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -143,9 +144,40 @@ TEST(WindowState, TwoWindowsKeepBothListsOfRecentFiles) {
     std::vector<std::string> all;
     for (const auto& entry : std::filesystem::directory_iterator(file.parent_path()))
       all.push_back(entry.path().filename());
+    std::sort(all.begin(), all.end());
     return all;
   }();
-  EXPECT_EQ(names, std::vector<std::string>{"window.json"}) << "no temporary file is left";
+  EXPECT_EQ(names, (std::vector<std::string>{"window.json", "window.json.lock"})) << "no temporary file is left";
+}
+
+// Without a lock, one that reads before the other has written replaces what the other writes.
+TEST(WindowState, WindowsThatCloseAtOnceLoseNothing) {
+  constexpr int windows = 8, rounds = 4;
+  const auto file = state_folder("at-once") / "pixelscope" / "window.json";
+  for (int round = 0; round < rounds; ++round) {
+    std::atomic<int> ready{0};
+    std::vector<std::thread> threads;
+    for (int i = 0; i < windows; ++i)
+      threads.emplace_back([&, i] {
+        const std::string name = std::to_string(round) + "-" + std::to_string(i);
+        StateFile state(file);
+        state.set("key-" + name, name);
+        state.set_lines("recent", name + "\n" + state.get("recent"));
+        ++ready;
+        while (ready < windows) std::this_thread::yield();
+        state.save();
+      });
+    for (std::thread& thread : threads) thread.join();
+  }
+  const StateFile after(file);
+  EXPECT_TRUE(after.complaints().empty());
+  const std::string recent = "\n" + after.get("recent");
+  for (int round = 0; round < rounds; ++round)
+    for (int i = 0; i < windows; ++i) {
+      const std::string name = std::to_string(round) + "-" + std::to_string(i);
+      EXPECT_EQ(after.get("key-" + name), name);
+      EXPECT_NE(recent.find("\n" + name + "\n"), std::string::npos) << name;
+    }
 }
 
 /// Whether a file of the state folder with this beginning of its name holds the text by and by.

@@ -55,4 +55,14 @@ forbid 'A path of shipped files outside core/base/resources' '\b(asset|chapter|f
 forbid 'app/ or tests/ in core/ or chapters/' "$(includes '(app|gui|cli|tests|support)/')" "$library"
 forbid 'chapters/ in core/' "$(includes 'chapters/')" '^core/'
 
+# A suppression of the thread sanitizer hides every report with its name in a function, a file or a library of the
+# stacks: it names a library, and nothing of this project.
+while IFS= read -r line; do
+  if [[ ! $line =~ ^(race|called_from_lib):(lib[A-Za-z0-9_]{4,}|[a-z]+_dri)(\.so)?$ || $line == *pixelscope* ]] ||
+    grep -qF -- "${line#*:}" <<<"$sources $(cat {core,chapters,app}/**/*.{h,cpp,inc})"; then
+    printf 'No library of others, in tests/thread_sanitizer.supp: %s\n' "$line"
+    status=1
+  fi
+done < <(grep -vE '^(#|$)' tests/thread_sanitizer.supp)
+
 exit "$status"

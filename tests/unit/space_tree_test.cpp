@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "raytrace/accelerators.h"
 #include "render/render.h"
@@ -80,6 +82,52 @@ TEST(SpaceTree, CountsWhatAnOctreeListsTwice) {
   EXPECT_EQ(space.tree.nodes, cells);
   EXPECT_EQ(space.tree.primitives, geometry->primitives.size());
   EXPECT_GT(space.tree.entries, space.tree.primitives);
+}
+
+/// Farthest from `centre` along each axis that the points come, to both sides.
+std::array<double, 6> reach_of(const std::vector<Vec3d>& points, const Vec3d& centre) {
+  std::array<double, 6> reach{};
+  for (const Vec3d& point : points)
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto side = static_cast<std::size_t>(2 * axis);
+      reach[side] = std::max(reach[side], centre[axis] - point[axis]);
+      reach[side + 1] = std::max(reach[side + 1], point[axis] - centre[axis]);
+    }
+  return reach;
+}
+
+// Every node is a line that stays on its sphere, in the planes of three great circles, and comes to all six of its
+// poles. The corners of a box lie 1.7 radii away; circles of another radius or centre, and those of another node, lie
+// elsewhere.
+TEST(SpaceTree, DrawsBoundingSpheresAsGreatCircles) {
+  const Scene scene = teapot_scene();
+  const Settings settings = by(Accelerator::bounding_spheres);
+  Prepared prepared, own;
+  SpaceModel model;
+  add_tree(scene, settings, nullptr, prepared, model, 1'000'000);
+  const auto geometry = traced_geometry<float>(scene, settings, own);
+  const auto accelerator = traced_accelerator<float>(scene, *geometry, settings, own);
+  const auto& nodes = accelerator_as<BoundingSpheres>(accelerator)->nodes;
+  ASSERT_EQ(model.items.size(), nodes.size());
+  ASSERT_GT(nodes.size(), 300u);
+  std::vector<std::uint32_t> in_order{0};  // level by level from the root, as they are drawn
+  for (std::size_t i = 0; i < in_order.size(); ++i)
+    if (const SphereNode& node = nodes[in_order[i]]; node.count == 0)
+      in_order.insert(in_order.end(), {node.first, node.first + 1});
+  ASSERT_EQ(in_order.size(), nodes.size());
+  for (std::size_t i = 0; i < in_order.size(); ++i) {
+    const auto& [centre, radius, first, count] = nodes[in_order[i]];
+    const SpaceItem& item = model.items[i];
+    ASSERT_EQ(item.kind, SpaceKind::node);
+    ASSERT_EQ(item.shape, SpaceShape::line);
+    const double slack = 1e-9 * (1 + radius);
+    for (const Vec3d& point : item.points) {
+      const Vec3d away = point - centre;
+      ASSERT_NEAR(std::sqrt(dot(away, away)), radius, slack) << i;
+      ASSERT_LT(std::min({std::abs(away.x), std::abs(away.y), std::abs(away.z)}), slack) << i;
+    }
+    for (const double reach : reach_of(item.points, centre)) ASSERT_NEAR(reach, radius, slack) << i;
+  }
 }
 
 TEST(SpaceTree, LeavesOutTheDeepestLevelsFirst) {

@@ -1,6 +1,7 @@
 #include "gui/platform/state_file.h"
 
 #include <algorithm>
+#include <chrono>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 
 #include "base/atomic_file.h"
 #include "base/check.h"
+#include "base/file_lock.h"
 #include "base/number_text.h"
 #include "base/user_folder.h"
 
@@ -148,20 +150,30 @@ void StateFile::save() {
   if (changed_.empty() || path_.empty()) return;
   std::error_code error;
   std::filesystem::create_directories(path_.parent_path(), error);
+  constexpr std::chrono::seconds patience{5};  // saving takes milliseconds, or the time that a slow disk needs
+  auto lock_file = path_;
+  lock_file += ".lock";
   try {
-    Entries now;
-    std::vector<std::string> odd;
-    if (std::filesystem::exists(path_, error)) now = parse_state(read_whole_file(path_, largest_state), odd);
-    for (const auto& [key, kind] : changed_)
-      now[key] = kind == Kind::lines ? merged_lines(entries_[key], now[key], read_[key]) : entries_[key];
-    nlohmann::json json(now);
-    json[format_key] = this_format;
-    write_file_atomically(path_, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-    entries_ = read_ = std::move(now);
-    changed_.clear();
+    // Whoever holds it longer than that hangs, and will not write; the own entries are not given up for it.
+    const auto lock = FileLock::lock_within(lock_file, patience);
+    take_over();
   } catch (const InputError&) {
     // A folder that cannot be written, or a file that another program has damaged since: both stay as they are.
   }
+}
+
+void StateFile::take_over() {
+  Entries now;
+  std::vector<std::string> odd;
+  std::error_code error;
+  if (std::filesystem::exists(path_, error)) now = parse_state(read_whole_file(path_, largest_state), odd);
+  for (const auto& [key, kind] : changed_)
+    now[key] = kind == Kind::lines ? merged_lines(entries_[key], now[key], read_[key]) : entries_[key];
+  nlohmann::json json(now);
+  json[format_key] = this_format;
+  write_file_atomically(path_, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  entries_ = read_ = std::move(now);
+  changed_.clear();
 }
 
 }  // namespace ps::gui

@@ -24,7 +24,8 @@ class StateFile {
   /// The same for a list with an entry on each line: entries that another window has added since the file was read are
   /// not lost, they follow the first one.
   void set_lines(const std::string& key, std::string lines);
-  /// Takes what changed since the last time over into the file as it is now.
+  /// Takes what changed since the last time over into the file as it is now. Of several windows one saves at a time,
+  /// by a lock on the file of that name with .lock behind it, which stays; waits for the others a few seconds at most.
   void save();
 
   /// One sentence for each thing that was ignored, with the file's name.
@@ -34,6 +35,7 @@ class StateFile {
  private:
   using Entries = std::map<std::string, std::string>;
   enum class Kind { value, lines };
+  void take_over();
   void keep_aside(const std::string& why, const char* ending);
 
   std::filesystem::path path_;
