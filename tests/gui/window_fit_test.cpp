@@ -94,6 +94,36 @@ TEST_P(WindowFit, NothingIsCutInAnyModeOrTool) {
   expect_all_fits(commands + "quit\n", places, GetParam(), "cgfs/shadows --size 60x60");
 }
 
+/// The menus, each with those that open beside it.
+struct OpenMenu {
+  std::string name;
+  std::vector<std::string> beside;
+};
+
+const std::vector<OpenMenu>& menus() {
+  static const std::vector<OpenMenu> all{
+      {"scene", {"recent"}}, {"lesson", {}}, {"view", {"zoom", "type"}}, {"study", {}}, {"help", {}}};
+  return all;
+}
+
+// A menu that is longer than the window would scroll, without a sign that there is more.
+TEST_P(WindowFit, MenusAreSeenWhole) {
+  if (GetParam().type != "1") GTEST_SKIP() << "with large type some scroll on these screens";
+  std::string commands = "wait idle\nopen cgfs/reflections\nwait idle\n";
+  std::vector<FitPlace> places;
+  const std::string look = "wait frames 4\nprint window/cut\nprint window/overlap\nprint window/pictures-share\n";
+  for (const OpenMenu& menu : menus()) {
+    commands += "click menu/" + menu.name + "\n" + look;
+    places.push_back({"menu: " + menu.name});
+    for (const std::string& beside : menu.beside) {
+      commands += "click menu/" + beside + "\n" + look;
+      places.push_back({"menu: " + menu.name + ", " + beside});
+    }
+    commands += "key Esc\nkey Esc\nwait frames 4\n";
+  }
+  expect_all_fits(commands + "quit\n", places, GetParam(), "cgfs/shadows --size 60x60");
+}
+
 INSTANTIATE_TEST_SUITE_P(Screens, WindowFit,
                          testing::Values(FitScreen{"1024x768", "1"}, FitScreen{"1366x768", "1"},
                                          FitScreen{"1920x1080", "1"}, FitScreen{"3840x2160", "2"},

@@ -15,8 +15,9 @@ bool inside(ImVec2 min, ImVec2 max, ImVec2 outer_min, ImVec2 outer_max) {
          max.y <= outer_max.y + slack;
 }
 
-/// Whether what is in the window can be brought into sight up and down.
+/// Whether what is in the window can be brought into sight up and down. Menus could, but are to be seen whole.
 bool scrolls(const ImGuiWindow* window) {
+  if ((window->Flags & ImGuiWindowFlags_ChildMenu) != 0) return false;
   for (; window; window = window->ParentWindow) {
     if ((window->Flags & ImGuiWindowFlags_NoScrollbar) == 0) return true;  // it gets a bar when it needs one
     if ((window->Flags & ImGuiWindowFlags_ChildWindow) == 0) return false;

@@ -1,7 +1,9 @@
 #pragma once
+#include <string_view>
 #include <vector>
 
 #include "gui/frame/about.h"
+#include "gui/panels/lesson/lesson_list.h"
 #include "gui/panels/lesson/lesson_panel.h"
 #include "gui/panels/panel.h"
 #include "gui/session/session.h"
@@ -18,8 +20,11 @@ class MenuBar {
   void draw();
 
  private:
+  void entry(std::string_view name);
   void scene_menu();
   void lesson_menu();
+  void lesson_item(const ListedLesson& lesson);
+  void lesson_entries(int lines_below);
   void view_menu();
   void study_menu();
   void mode_buttons();
@@ -31,6 +36,7 @@ class MenuBar {
   const std::vector<Panel>& panels_;
   About& about_;
   const ReadLessons& read_;
+  float lessons_height_ = 0;  ///< of the list in the menu, when it was drawn last
 };
 
 }  // namespace ps::gui
