@@ -52,4 +52,15 @@ else()
 endif()
 option(PIXELSCOPE_UNITY "Compile a dozen files of a target as one" ${unity_by_default})
 
+# GCC looks for memory to free from 128 MB on; files that are compiled together need up to 1.2 GB. Where there is enough
+# for each core, leaving it alone saves a seventh of the time.
+if(PIXELSCOPE_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  cmake_host_system_information(RESULT megabytes QUERY TOTAL_PHYSICAL_MEMORY)
+  cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
+  math(EXPR megabytes_for_each_core "${megabytes} / ${cores}")
+  if(megabytes_for_each_core GREATER_EQUAL 1700)
+    add_compile_options("SHELL:--param ggc-min-heapsize=1000000")
+  endif()
+endif()
+
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)

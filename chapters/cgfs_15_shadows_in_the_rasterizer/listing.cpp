@@ -28,7 +28,9 @@ struct ShadowMap {
   Vec3d seen(const Vec3d& p) const {
     return {(dot(right, p) - left) * size / side, (top - dot(up, p)) * size / side, dot(forward, p)};
   }
-  std::size_t texel(int column, int row) const { return static_cast<std::size_t>(row * size + column); }
+  std::size_t texel(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(size) + static_cast<std::size_t>(column);
+  }
 };
 
 using Maps = std::vector<ShadowMap>;  // one for each light

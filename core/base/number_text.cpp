@@ -19,7 +19,7 @@ std::optional<double> parse_number(std::string_view text) {
 }
 
 std::string with_thousands(std::string digits) {
-  for (std::size_t left = digits.size(); left > 3;) digits.insert(left -= 3, ",");
+  for (std::size_t left = digits.size(); left > 3;) digits.insert(left -= 3, 1, ',');
   return digits;
 }
 

@@ -57,7 +57,7 @@ class StabilityReader {
     const auto found = std::find_if(all_.begin(), all_.end(), [&](const auto& e) { return e.key == key; });
     if (line.contains("begin")) {
       if (found != all_.end()) all_.erase(found);
-      all_.push_back({key, {}, 0, false});
+      all_.push_back({.key = key, .rows = {}, .seconds = 0, .complete = false, .absent = {}});
       damaged_ = false;
     } else if (found == all_.end()) {
       throw InputError("found a row before its experiment begins");
