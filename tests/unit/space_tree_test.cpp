@@ -89,7 +89,7 @@ std::array<double, 6> reach_of(const std::vector<Vec3d>& points, const Vec3d& ce
   std::array<double, 6> reach{};
   for (const Vec3d& point : points)
     for (int axis = 0; axis < 3; ++axis) {
-      const auto side = static_cast<std::size_t>(2 * axis);
+      const auto side = 2 * static_cast<std::size_t>(axis);
       reach[side] = std::max(reach[side], centre[axis] - point[axis]);
       reach[side + 1] = std::max(reach[side + 1], point[axis] - centre[axis]);
     }
