@@ -1,7 +1,8 @@
 // Every script of tests/gui/scripts in the real window, at the sizes of a small and of a common screen. A line
 // "# arguments: ..." gives arguments for the program, "# renderer: KEY" skips the script in builds without that
-// renderer. A line "# size: WxH" is for scripts that wait for measurements: they are played at this size alone. OUT/
-// stands for a folder for screenshots; none may be blank.
+// renderer. A line "# size: WxH" is for scripts that wait for measurements, or are about other things than the
+// arrangement of the window: they are played at this size alone. OUT/ stands for a folder for screenshots; none may be
+// blank.
 #include <gtest/gtest.h>
 
 #include <algorithm>
