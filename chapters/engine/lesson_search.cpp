@@ -1,7 +1,8 @@
 #include "engine/lesson_search.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <limits>
 #include <tuple>
 
 #include "base/spelling.h"
@@ -53,12 +54,6 @@ std::vector<std::string> query_words(std::string_view small) {
   return words;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string all;
-  for (const std::string& word : words) all += (all.empty() ? "" : " ") + word;
-  return all;
-}
-
 }  // namespace
 
 LessonIndex::Text LessonIndex::searchable(std::string_view text) {
@@ -71,16 +66,14 @@ LessonIndex::Text LessonIndex::searchable(std::string_view text) {
 void LessonIndex::add(const Lesson& lesson) {
   Entry& entry = lessons_.emplace_back();
   entry.title = searchable(lesson.title + ", " + lesson.source);
-  append_words(entry.title.small, words_);
+  add_words(entry.title.small, words_);
   for (const LessonStep& step : lesson.steps) {
     std::string text;
     if (entry.steps.empty()) append_blocks(lesson.blocks, text);
     const Step& added = entry.steps.emplace_back(Step{searchable(step.title), searchable(text + shown_text(step))});
-    append_words(added.heading.small, words_);
-    append_words(added.text.small, words_);
+    add_words(added.heading.small, words_);
+    add_words(added.text.small, words_);
   }
-  std::sort(words_.begin(), words_.end());
-  words_.erase(std::unique(words_.begin(), words_.end()), words_.end());
 }
 
 std::vector<LessonHit> LessonIndex::hits_of(const std::vector<Sought>& sought, const Sought& phrase) const {
@@ -173,7 +166,7 @@ LessonHits LessonIndex::find(std::string_view query) const {
   std::vector<Sought> sought;
   sought.reserve(words.size());
   for (const std::string& word : words) sought.push_back({{word}, WordPart::any});
-  const Sought phrase{{joined(words)}, WordPart::any};
+  const Sought phrase{{fmt::format("{}", fmt::join(words, " "))}, WordPart::any};
   found.hits = hits_of(sought, phrase);
   if (!found.hits.empty()) return found;
   std::vector<std::string> alike;

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -64,7 +65,7 @@ class LessonIndex {
   bool occurs(const Sought& sought) const;
 
   std::vector<Entry> lessons_;
-  std::vector<std::string> words_;  ///< of all texts, in small letters, sorted, each once
+  std::set<std::string> words_;  ///< of all texts, in small letters
 };
 
 }  // namespace ps

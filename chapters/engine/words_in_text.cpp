@@ -26,12 +26,12 @@ std::optional<FoundWord> find_word(std::string_view text, std::string_view word,
   return within;
 }
 
-void append_words(std::string_view text, std::vector<std::string>& words) {
+void add_words(std::string_view text, std::set<std::string>& words) {
   constexpr std::size_t least_letters = 3;
   for (std::size_t at = 0; at < text.size(); ++at) {
     const std::size_t begin = at;
     while (at < text.size() && in_word(text[at])) ++at;
-    if (at - begin >= least_letters) words.emplace_back(text.substr(begin, at - begin));
+    if (at - begin >= least_letters) words.emplace(text.substr(begin, at - begin));
   }
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "engine/lesson_search.h"
 
@@ -20,8 +20,8 @@ struct FoundWord {
 enum class WordPart { whole, any };
 std::optional<FoundWord> find_word(std::string_view text, std::string_view word, WordPart part);
 
-/// Appends the words of at least 3 letters; digits count as letters.
-void append_words(std::string_view text, std::vector<std::string>& words);
+/// Adds the words of at least 3 letters; digits count as letters.
+void add_words(std::string_view text, std::set<std::string>& words);
 
 /// About 100 bytes of `shown` around a place, from blank to blank, with "…" where something was left out.
 std::string text_around(std::string_view shown, const TextRange& place);

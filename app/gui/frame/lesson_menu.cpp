@@ -41,9 +41,7 @@ void MenuBar::lesson_item(const ListedLesson& lesson) {
     go_to_step(session_, lesson.name, 0);
     ImGui::CloseCurrentPopup();  // entries of a list in a menu do not close it by themselves
   }
-  tooltip(faulty
-              ? lesson.fault
-              : fmt::format("{}\n{}{}", lesson.source, is_read ? "Read to the end; " : "", length_text(lesson.length)));
+  tooltip(faulty ? lesson.fault : lesson_tooltip(lesson, read_));
   if (is_read) draw_tick(at, ImGui::GetItemRectSize().y);
 }
 
@@ -69,7 +67,7 @@ void MenuBar::lesson_entries(int lines_below) {
 void MenuBar::lesson_menu() {
   if (!begin_menu("menu/lesson", "Lessons")) return;
   constexpr std::array below{"step-next", "step-before", "lesson-after", "lesson-before", "glossary", "lesson-close"};
-  entry("lessons");
+  menu_action(actions_, "lessons", MenuLabel::name);
   ImGui::Separator();
   lesson_entries(static_cast<int>(below.size() + lessons_left_out().size()));
   for (const LeftOutLesson& lesson : lessons_left_out()) {
@@ -78,7 +76,7 @@ void MenuBar::lesson_menu() {
                         lesson.renderer.c_str());
   }
   ImGui::Separator();
-  for (const char* name : below) entry(name);
+  for (const char* name : below) menu_action(actions_, name, MenuLabel::name);
   end_menu();
 }
 

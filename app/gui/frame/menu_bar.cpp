@@ -13,30 +13,16 @@
 
 namespace ps::gui {
 
-/// Of "Gizmo: move, turn and scale the picked object" the entry is "Gizmo"; the rest comes when the pointer rests on
-/// it.
-void MenuBar::entry(std::string_view name) {
-  const Action* action = actions_.find(name);
-  if (!action) return;
-  const std::string_view label = action->label;
-  const auto colon = label.find(": ");
-  const bool checked = action->checked && action->checked();
-  if (menu_item(action->name, label.substr(0, colon), actions_.key_text(action->name), checked,
-                actions_.enabled(*action) ? "" : "not available now"))
-    actions_.run(action->name);
-  if (colon != std::string_view::npos && actions_.enabled(*action)) tooltip(action->label);
-}
-
 void MenuBar::view_menu() {
   if (!begin_menu("menu/view", "View")) return;
   const auto items = [&](std::initializer_list<const char*> names) {
-    for (const char* name : names) entry(name);
+    for (const char* name : names) menu_action(actions_, name, MenuLabel::name);
     ImGui::Separator();
   };
   // What the wheel does too, and what is set once, has menus of its own: this one fits a screen of 768 lines.
   const auto below = [&](const char* menu, const char* label, std::initializer_list<const char*> names) {
     if (!begin_menu(menu, label)) return;
-    for (const char* name : names) entry(name);
+    for (const char* name : names) menu_action(actions_, name, MenuLabel::name);
     end_menu();
   };
   items({"undo", "redo", "history", "kept"});
@@ -48,7 +34,7 @@ void MenuBar::view_menu() {
   items({"mode-lesson", "mode-explore", "mode-study", "mode-presenter"});
   items({"panels", "fullscreen"});
   items({"predict"});
-  entry("reset-view");
+  menu_action(actions_, "reset-view", MenuLabel::name);
   menu_action(actions_, "fly");
   tooltip(fmt::format("{}, {} and so on turn the camera; {}, {} and so on move it around the scene.",
                       actions_.key_text("turn-left"), actions_.key_text("turn-up"), actions_.key_text("orbit-left"),

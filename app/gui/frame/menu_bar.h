@@ -1,5 +1,4 @@
 #pragma once
-#include <string_view>
 #include <vector>
 
 #include "gui/frame/about.h"
@@ -20,7 +19,6 @@ class MenuBar {
   void draw();
 
  private:
-  void entry(std::string_view name);
   void scene_menu();
   void lesson_menu();
   void lesson_item(const ListedLesson& lesson);

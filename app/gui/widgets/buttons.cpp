@@ -98,13 +98,16 @@ bool toggle(std::string_view name, std::string_view label, bool& value, const Co
   return clicked;
 }
 
-void menu_action(const Actions& actions, std::string_view action) {
+void menu_action(const Actions& actions, std::string_view action, MenuLabel label) {
   const Action* found = actions.find(action);
   if (!found) return;
+  const std::string_view whole = found->label;
+  const std::string_view shown = label == MenuLabel::name ? whole.substr(0, whole.find(": ")) : whole;
   const bool checked = found->checked && found->checked();
-  if (menu_item(found->name, found->label, actions.key_text(found->name), checked,
+  if (menu_item(found->name, shown, actions.key_text(found->name), checked,
                 actions.enabled(*found) ? "" : "not available now"))
     actions.run(found->name);
+  if (shown != whole && actions.enabled(*found)) tooltip(whole);
 }
 
 bool menu_item(std::string_view name, std::string_view label, std::string_view keys, bool checked,

@@ -49,8 +49,11 @@ bool section(std::string_view name, std::string_view label, bool& open, std::str
 /// An item of an ImGui menu, with its key at the right.
 bool menu_item(std::string_view name, std::string_view label, std::string_view keys = {}, bool checked = false,
                std::string_view disabled = {});
+/// How much of the label "Gizmo: move, turn and scale the picked object" an item shows: all of it, or "Gizmo", and all
+/// in a tooltip.
+enum class MenuLabel { whole, name };
 /// The menu item of an action, named by it; runs it when clicked.
-void menu_action(const Actions& actions, std::string_view action);
+void menu_action(const Actions& actions, std::string_view action, MenuLabel label = MenuLabel::whole);
 bool begin_menu(std::string_view name, std::string_view label);  ///< if true, call end_menu()
 void end_menu();
 

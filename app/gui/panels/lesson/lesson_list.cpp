@@ -21,7 +21,7 @@ Course readable_course() {
 
 struct ReadableLessons {
   std::vector<ListedLesson> listed;
-  LessonIndex index;
+  std::vector<Lesson> texts;  ///< in the same order; empty ones where a lesson cannot be read
 };
 
 ReadableLessons read_lessons() {
@@ -29,7 +29,7 @@ ReadableLessons read_lessons() {
   const Course course = readable_course();
   for (const auto& name : lesson_names()) {
     ListedLesson& listed = all.listed.emplace_back();
-    Lesson lesson;
+    Lesson& lesson = all.texts.emplace_back();
     listed.name = listed.title = name;
     listed.part = part_title(course, name);
     try {
@@ -41,7 +41,6 @@ ReadableLessons read_lessons() {
     } catch (const InputError& error) {
       listed.fault = error.what();
     }
-    all.index.add(lesson);
   }
   return all;
 }
@@ -51,11 +50,25 @@ const ReadableLessons& readable_lessons() {
   return lessons;
 }
 
+LessonIndex index_lessons() {
+  LessonIndex index;
+  for (const Lesson& lesson : readable_lessons().texts) index.add(lesson);
+  return index;
+}
+
 }  // namespace
 
 const std::vector<ListedLesson>& listed_lessons() { return readable_lessons().listed; }
 
-const LessonIndex& lesson_index() { return readable_lessons().index; }
+const LessonIndex& lesson_index() {
+  static const LessonIndex index = index_lessons();
+  return index;
+}
+
+std::string lesson_tooltip(const ListedLesson& lesson, const ReadLessons& read) {
+  return fmt::format("{}\n{}{}", lesson.source, read.names.contains(lesson.name) ? "Read to the end; " : "",
+                     length_text(lesson.length));
+}
 
 std::string short_length(const LessonLength& length) {
   return fmt::format("{} step{}, {} min", length.steps, length.steps == 1 ? "" : "s", length.minutes());
@@ -77,7 +90,7 @@ bool lesson_list(Session& session, const ReadLessons& read) {
     const std::string text = lesson.title + "   " + short_length(lesson.length);
     if (tree_row(lesson.name, text, TreeKind::leaf, false).clicked) go_to_step(session, lesson.name, 0);
     const bool is_read = read.names.contains(lesson.name);
-    tooltip(fmt::format("{}\n{}{}", lesson.source, is_read ? "Read to the end; " : "", length_text(lesson.length)));
+    tooltip(lesson_tooltip(lesson, read));
     if (is_read) draw_tick(at, ImGui::GetItemRectSize().y);
     controls().record(lesson.name + "/read", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), is_read ? "on" : "off");
   }

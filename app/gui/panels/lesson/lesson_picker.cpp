@@ -65,8 +65,7 @@ Chosen lesson_tiles(LessonPicker& picker, const ReadLessons& read) {
                     .title = lesson.title,
                     .note = short_length(lesson.length),
                     .ticked = is_read,
-                    .tooltip = fmt::format("{}\n{}{}", lesson.source, is_read ? "Read to the end; " : "",
-                                           length_text(lesson.length)),
+                    .tooltip = lesson_tooltip(lesson, read),
                     .picture = [&](int width, int height) { return picture_of(picker, number, width, height); }}))
       chosen = {lesson.name, 0};
     controls().record(lesson.name + "/read", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), is_read ? "on" : "off");
