@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "hardware/channel_resolver.h"
 #include "hardware/context.h"
 #include "hardware/environment_maps.h"
 #include "hardware/geometry_buffer.h"
@@ -49,8 +50,9 @@ struct Workshop {
   std::unique_ptr<Target> story_picture;        ///< the same of the last story of a pixel
   std::unique_ptr<GeometryBuffer> story_geometry;
   std::unique_ptr<Target> story;                ///< what fragments report of themselves in it
-  std::unique_ptr<SampleReader> sample_reader;  ///< made when first needed
-  unsigned vertex_array = 0, lights = 0;        ///< made when first needed
+  std::unique_ptr<SampleReader> sample_reader;  ///< this and the rest made when first needed
+  std::unique_ptr<ChannelResolver> channel_resolver;
+  unsigned vertex_array = 0, lights = 0;
 
   const Driver& driver() const { return context.driver(); }
   /// Drops meshes and textures that no scene holds any more. Before a picture.

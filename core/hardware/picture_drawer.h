@@ -61,6 +61,7 @@ class PictureDrawer {
   void draw_triangles(const DrawRun& run) const;
   void draw_runs(const DrawPass& pass);
   void draw_whole_picture(Program& program, const DrawPass& pass);
+  void resolve_channels();
   Program& deferred_program();
   /// `draw_one` has each shape drawn in its turn.
   void draw_canvas(const std::function<void(const CanvasDraw&)>& draw_one);

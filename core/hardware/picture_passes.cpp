@@ -201,11 +201,20 @@ void PictureDrawer::draw_pass(const DrawPass& pass) {
   samples_written_ += passed;
 }
 
+void PictureDrawer::resolve_channels() {
+  const TargetShape& shape = shop_.target->shape();
+  if (shape.samples == 1 || !shape.channels) return;
+  if (!shop_.channel_resolver) shop_.channel_resolver = std::make_unique<ChannelResolver>();
+  for (GLuint place = 0; place < stream_count; ++place) glDisableVertexAttribArray(place);
+  shop_.channel_resolver->resolve(*shop_.target);
+}
+
 void PictureDrawer::draw() {
   glFinish();
   set_state();
   for (const DrawPass& pass : draw_passes(plan_)) draw_pass(pass);
   shop_.target->resolve();
+  resolve_channels();
   draw_canvas(draw_shape);
   glFinish();
   check_gl("drawing");

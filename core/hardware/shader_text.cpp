@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <optional>
 #include <sstream>
 
 #include "base/check.h"
@@ -62,6 +64,21 @@ void add_file(ShaderFiles& files, const std::string& name, ShaderText& shader) {
   }
 }
 
+/// Takes this word off the front of a text, if it is there.
+bool skip(std::string_view& text, std::string_view word) {
+  if (!text.starts_with(word)) return false;
+  text.remove_prefix(word.size());
+  return true;
+}
+
+std::optional<std::size_t> take_number(std::string_view& text) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc()) return {};
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return number;
+}
+
 }  // namespace
 
 ShaderText shader_text(ShaderFiles& files, std::string_view file, ShaderStage stage, Api api,
@@ -78,16 +95,21 @@ ShaderText shader_text(ShaderFiles& files, std::string_view file, ShaderStage st
 
 std::string_view shader_constants() { return names; }
 
-// Mesa writes "2:15(7): error: ...", others "2(15) : error ..." or "ERROR: 2:15: ...": in each the number of the file
-// comes first, then that of the line.
+// Mesa writes "2:15(7): error: ...", NVIDIA "2(15) : error ...", others "ERROR: 2:15: ...".
 std::string compiler_words(const ShaderText& shader, std::string_view log) {
-  std::string line(log.substr(0, log.find('\n')));
-  const std::size_t first = line.find_first_of("0123456789");
-  if (first == std::string::npos) return line;
-  std::size_t used = 0;
-  const auto number = static_cast<std::size_t>(std::stoul(line.substr(first, 4), &used));
-  if (number >= shader.files.size()) return line;
-  return line.replace(first, used, shader.files[number]);
+  const std::string_view line = log.substr(0, log.find('\n'));
+  std::string_view rest = line;
+  const bool error_first = skip(rest, "ERROR: ");
+  const std::optional<std::size_t> file = take_number(rest);
+  if (!file || *file >= shader.files.size()) return std::string(line);
+  const bool bracket = skip(rest, "(");
+  if (!bracket && !skip(rest, ":")) return std::string(line);
+  const std::optional<std::size_t> number = take_number(rest);
+  if (!number) return std::string(line);
+  if (bracket && skip(rest, ")")) skip(rest, " ");
+  std::string what(rest);
+  if (error_first && rest.starts_with(": ")) what.insert(2, "error: ");
+  return fmt::format("{}:{}{}", shader.files[*file], *number, what);
 }
 
 }  // namespace ps::hardware

@@ -24,7 +24,8 @@ ShaderText shader_text(ShaderFiles& files, std::string_view file, ShaderStage st
 /// Numbers that all files compare their definitions with, as lines "#define PHONG 1".
 std::string_view shader_constants();
 
-/// What a driver says of a text that it does not compile, with the names of files in place of their numbers.
+/// What a driver says of a text that it does not compile, first line. Its place is "lighting.glsl:15", however the
+/// driver writes it, with a column behind it where the driver gives one: "lighting.glsl:15(7): error: ...".
 std::string compiler_words(const ShaderText& shader, std::string_view log);
 
 }  // namespace ps::hardware

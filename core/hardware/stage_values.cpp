@@ -112,7 +112,12 @@ StageValues::SeenAlone draw_alone(PicturePlan plan, const PixelId& id) {
   return alone;
 }
 
-/// Which lights do not reach what is seen: those whose picture differs with and without shadows.
+float largest_part(const Vec3f& colour) {
+  return std::max({std::abs(colour.x), std::abs(colour.y), std::abs(colour.z)});
+}
+
+/// Which lights do not reach what is seen: those whose picture loses light to shadows. Programs with and without
+/// shadows may round the same light differently, so half of it must be gone.
 Image<std::uint32_t> lights_in_shadow(const Scene& scene, const View& view, const Settings& settings,
                                       Prepared& prepared, Progress& progress) {
   Image<std::uint32_t> in_shadow(view.width, view.height, 0u);
@@ -126,7 +131,9 @@ Image<std::uint32_t> lights_in_shadow(const Scene& scene, const View& view, cons
     alone.shadows = Shadows::none;
     const Frame bright = render_hardware(scene, view, alone, {}, prepared, progress);
     for (std::size_t i = 0; i < dark.colour.pixels().size(); ++i)
-      if (dark.colour.pixels()[i] != bright.colour.pixels()[i]) in_shadow.pixels()[i] |= 1u << light;
+      if (largest_part(bright.colour.pixels()[i] - dark.colour.pixels()[i]) >
+          largest_part(bright.colour.pixels()[i]) / 2)
+        in_shadow.pixels()[i] |= 1u << light;
   }
   return in_shadow;
 }

@@ -16,6 +16,10 @@ namespace {
 
 constexpr std::array<GLenum, 4> formats{GL_RGBA32F, GL_RGBA32I, GL_RGBA32F, GL_RGBA32F};
 
+/// No more than this, a shader writes where triangles have no numbers. Real weights may be below 0, where the centre of
+/// a pixel with several samples lies beyond an edge.
+constexpr float without_weights = -1e29f;
+
 GLenum depth_format(const TargetShape& shape) {
   switch (shape.depth) {
   case DepthStore::float32:
@@ -68,9 +72,12 @@ void Target::make(Pictures& pictures, int samples) const {
   std::array<GLenum, most_pictures> places{};
   for (std::size_t i = 0; i < count(); ++i) {
     places[i] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
-    attach(pictures.buffers[i], formats[i], places[i]);
+    if (i == 0 || samples == 1)
+      attach(pictures.buffers[i], formats[i], places[i]);
+    else if (!attach_texture(pictures.textures[i - 1], formats[i], places[i], samples))
+      throw InputError(fmt::format("this graphics driver does not offer channels with {} samples per pixel", samples));
   }
-  if (samples == 1 || !attach_depth_texture(pictures, samples))
+  if (samples == 1 || !attach_texture(pictures.depth_texture, depth_format(shape_), depth_place(shape_), samples))
     attach(pictures.depth, depth_format(shape_), depth_place(shape_));
   glDrawBuffers(static_cast<GLsizei>(count()), places.data());
   check_gl("making a picture to draw into");
@@ -79,22 +86,22 @@ void Target::make(Pictures& pictures, int samples) const {
 }
 
 // A shader can read single samples of a texture, and of no other buffer.
-bool Target::attach_depth_texture(Pictures& pictures, int samples) const {
+bool Target::attach_texture(unsigned& texture, unsigned format, unsigned place, int samples) const {
+  const bool depth = place == depth_place(shape_);
   GLint most = 0;
-  glGetIntegerv(GL_MAX_DEPTH_TEXTURE_SAMPLES, &most);
+  glGetIntegerv(depth ? GL_MAX_DEPTH_TEXTURE_SAMPLES : GL_MAX_COLOR_TEXTURE_SAMPLES, &most);
   if (most < samples) return false;
-  glGenTextures(1, &pictures.depth_texture);
-  glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, pictures.depth_texture);
-  glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, depth_format(shape_), shape_.width, shape_.height,
-                          GL_TRUE);
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, texture);
+  glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, format, shape_.width, shape_.height, GL_TRUE);
   GLint given = 0;
   glGetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_SAMPLES, &given);
   if (given != samples) {
-    glDeleteTextures(1, &pictures.depth_texture);
-    pictures.depth_texture = 0;
+    glDeleteTextures(1, &texture);
+    texture = 0;
     return false;
   }
-  glFramebufferTexture2D(GL_FRAMEBUFFER, depth_place(shape_), GL_TEXTURE_2D_MULTISAMPLE, pictures.depth_texture, 0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, place, GL_TEXTURE_2D_MULTISAMPLE, texture, 0);
   return true;
 }
 
@@ -110,6 +117,7 @@ void Target::release() {
     glDeleteFramebuffers(1, &pictures->framebuffer);
     glDeleteRenderbuffers(1, &pictures->depth);
     glDeleteTextures(1, &pictures->depth_texture);
+    glDeleteTextures(static_cast<GLsizei>(pictures->textures.size()), pictures->textures.data());
     glDeleteRenderbuffers(static_cast<GLsizei>(pictures->buffers.size()), pictures->buffers.data());
   }
 }
@@ -132,15 +140,11 @@ void Target::resolve() const {
   if (shape_.samples == 1) return;
   glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.framebuffer);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.framebuffer);
-  for (std::size_t i = 0; i < count(); ++i) {
-    const GLenum place = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
-    std::array<GLenum, most_pictures> only{GL_NONE, GL_NONE, GL_NONE, GL_NONE};
-    only[i] = place;
-    glReadBuffer(place);
-    glDrawBuffers(static_cast<GLsizei>(i + 1), only.data());
-    glBlitFramebuffer(0, 0, shape_.width, shape_.height, 0, 0, shape_.width, shape_.height, GL_COLOR_BUFFER_BIT,
-                      GL_NEAREST);
-  }
+  constexpr GLenum colour = GL_COLOR_ATTACHMENT0;
+  glReadBuffer(colour);
+  glDrawBuffers(1, &colour);
+  glBlitFramebuffer(0, 0, shape_.width, shape_.height, 0, 0, shape_.width, shape_.height, GL_COLOR_BUFFER_BIT,
+                    GL_NEAREST);
   check_gl("resolving samples");
 }
 
@@ -218,7 +222,7 @@ void Target::read(Frame& frame) const {
     if (!frame.mip.empty()) frame.mip.pixels()[i] = std::bit_cast<float>(ids[i][3]);
     if (!frame.normal.empty()) frame.normal.pixels()[i] = Vec3f(normals[i]);
     if (!frame.facing.empty()) frame.facing.pixels()[i] = normals[i].w;
-    if (!frame.barycentric.empty() && seen && weights[i].x >= 0)
+    if (!frame.barycentric.empty() && seen && weights[i].x > without_weights)
       frame.barycentric.pixels()[i] = {weights[i].x, weights[i].y, 1 - weights[i].x - weights[i].y};
     if (!frame.uv.empty()) frame.uv.pixels()[i] = {weights[i].z, weights[i].w};
   }

@@ -37,7 +37,7 @@ class Target {
   /// Attaches the depth buffer and the channels to the framebuffer that is bound, those as colours from number `first`
   /// on; returns how many.
   int share(int first) const;
-  /// Makes each pixel the mean of its samples, or in the channels one of them. Nothing to do with one sample.
+  /// Makes each pixel's colour the mean of its samples. Nothing to do with one sample.
   void resolve() const;
   /// Draws go to the resolved pictures from now on.
   void bind_resolved() const;
@@ -52,6 +52,9 @@ class Target {
   /// The depth buffer as a texture with several samples per pixel. Nothing with one sample, and where the driver has no
   /// such textures of depths.
   std::optional<unsigned> depth_samples() const;
+  /// What is seen, its normal, its weights (0, 1, 2) as textures with several samples per pixel. Only with several
+  /// samples and channels.
+  unsigned channel_samples(std::size_t channel) const { return drawn_.textures[channel]; }
   /// Copies what was drawn, and resolved, to the frame's channels.
   void read(Frame& frame) const;
   /// Copies which triangle each pixel shows, of a target with channels.
@@ -63,11 +66,13 @@ class Target {
   static constexpr std::size_t most_pictures = 4;
   struct Pictures {
     unsigned framebuffer = 0, depth = 0;
-    unsigned depth_texture = 0;  ///< in place of `depth`, where there are several samples
     std::array<unsigned, most_pictures> buffers{};
+    // In place of `depth` and of all buffers but the first, where there are several samples.
+    unsigned depth_texture = 0;
+    std::array<unsigned, most_pictures - 1> textures{};
   };
   void make(Pictures& pictures, int samples) const;
-  bool attach_depth_texture(Pictures& pictures, int samples) const;
+  bool attach_texture(unsigned& texture, unsigned format, unsigned place, int samples) const;
   void release();
   std::size_t count() const { return shape_.channels ? most_pictures : 1; }
 

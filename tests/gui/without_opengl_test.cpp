@@ -44,7 +44,7 @@ TEST(WithoutOpenGl, TheWindowIsTheSame) {
   const Played with = play("with");
   const test::ScratchFolder folder;
   for (const char* library : {"libGL.so.1", "libEGL.so.1", "libGLESv2.so.2"}) folder.write(library, "");  // found first
-  const test::Variable hidden("LD_LIBRARY_PATH", folder.path().string());
+  const test::FirstLibraryFolder hidden(folder.path().string());
   const Played without = play("without");
   EXPECT_EQ(with.output.find("no OpenGL"), std::string::npos) << with.output;
   EXPECT_NE(without.output.find("no OpenGL"), std::string::npos) << without.output;

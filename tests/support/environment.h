@@ -38,4 +38,23 @@ class Variable {
   std::optional<std::string> before_;
 };
 
+/// Programs that start while it lives look for libraries in this folder first.
+class FirstLibraryFolder : public Variable {
+ public:
+  explicit FirstLibraryFolder(const std::string& folder) : Variable("LD_LIBRARY_PATH", folder + rest()) {}
+
+ private:
+  static std::string rest() {
+    const char* now = std::getenv("LD_LIBRARY_PATH");
+    return now && *now ? ":" + std::string(now) : "";
+  }
+};
+
+/// Programs that start while it lives find no driver of OpenGL. `folder` is an empty one.
+struct WithoutEglDriver {
+  explicit WithoutEglDriver(const std::string& folder)
+      : folders("__EGL_VENDOR_LIBRARY_DIRS", folder), files("__EGL_VENDOR_LIBRARY_FILENAMES", folder + "/none.json") {}
+  Variable folders, files;
+};
+
 }  // namespace ps::test

@@ -49,7 +49,7 @@ OUTPUT(7) vec4 fragment_weights;
 #else
 OUTPUT(1) ivec4 fragment_ids;     // object, triangle, bits of z, bits of the level of detail
 OUTPUT(2) vec4 fragment_normal;   // shading normal, and the cosine of the facing
-OUTPUT(3) vec4 fragment_weights;  // of corners 0 and 1, or -1 without numbers; then u and v
+OUTPUT(3) vec4 fragment_weights;  // of corners 0 and 1, or NO_WEIGHTS without numbers; then u and v
 #endif
 #endif
 
@@ -64,6 +64,7 @@ uniform int environment_layer;  // the first of the object's map
 #endif
 uniform int object_number;
 uniform int numbered;  // 0: its triangles have no numbers of their own
+#define NO_WEIGHTS -1e30
 #if TEXTURE
 uniform sampler2D surface_picture;
 uniform ivec4 surface_layout;
@@ -253,7 +254,7 @@ void main() {
   ray = camera_right * p.x + camera_up * p.y + camera_forward;
 #endif
   fragment_normal = vec4(NORMAL_CHANNEL == 1 ? unit_normal : vec3(0.0), -dot(ray, face_normal) / length(ray));
-  fragment_weights = vec4(numbered == 1 ? max(carried_weights.xy, 0.0) : vec2(-1.0), uv);
+  fragment_weights = vec4(numbered == 1 ? carried_weights.xy : vec2(NO_WEIGHTS), uv);
 #endif
 #if STORY
   vec3 unmapped = INTERPOLATED_NORMAL == 1 ? AT_FRAGMENT(carried_normal) : face_normal;

@@ -239,11 +239,12 @@ extern const StabilityExperiment driver_level{
     .naive = "the driver's own mip level",
     .robust = "the formula in the fragment shader",
     .explanation =
-        "A graphics driver takes derivatives as differences within blocks of 2 x 2 pixels, and the four share one "
-        "level. "
-        "So its level changes between blocks and not inside them. The formula has the derivatives of each pixel, and "
-        "its "
-        "level changes anywhere. The more a surface is tilted, the more the derivatives differ inside a block.",
+        "A graphics driver takes derivatives as differences within blocks of 2 x 2 pixels, and gives the four one "
+        "level "
+        "or nearly so. "
+        "So its level changes between blocks and hardly ever inside them. The formula has the derivatives of each "
+        "pixel, and its level changes anywhere. The more a surface is tilted, the more the derivatives differ inside a "
+        "block.",
     .safe = "Surfaces that face the viewer.",
     .window = {nowhere, 35},
     .series = driver_level_series,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "agreement/hardware/agreement_matrix.h"
+#include "agreement/hardware/driver_ties.h"
 
 namespace ps::test {
 
@@ -20,12 +21,15 @@ struct MeasuredMatrix {
   };
   std::vector<Row> rows;
   std::vector<Ray> rays;
+  TieCount beyond_picture;   ///< of triangles that leave the picture
   StageSplit whole() const;  ///< sums over the rows, without a picture
 };
 
 MeasuredMatrix measure_matrix(Renderer hardware);
 
-/// The page assets/gallery/agreement.md.
+/// Of the page for this machine's driver in assets/gallery: agreement.md for llvmpipe, agreement-gpu.md for a graphics
+/// card.
+std::string agreement_page_name();
 std::string agreement_page(const MeasuredMatrix& matrix);
 
 }  // namespace ps::test

@@ -37,16 +37,19 @@ TEST(DriverLevel, ChangesBetweenBlocksWhereTheFormulaChangesAnywhere) {
   ASSERT_EQ(borders.size(), experiment.frames.size());
   ASSERT_EQ(another.size(), experiment.frames.size());
   for (const auto& [tilt, row] : borders) {
-    // Half of all rows begin a block. A driver that shares its level among four pixels has no border inside one.
+    // Half of all rows begin a block. A driver that shares its level among four pixels has no border inside one; some
+    // take a difference for each row of a block.
     EXPECT_GT(row.robust, 35) << tilt;
     EXPECT_LT(row.robust, 65) << tilt;
-    EXPECT_LT(row.naive, 5) << tilt;
+    EXPECT_LT(row.naive, test::drawn_by_llvmpipe() ? 5 : row.robust / 4) << tilt;
   }
   for (const auto& [tilt, row] : another) {
     EXPECT_LT(row.robust, 0.2) << tilt << ": the same formula in a shader";
     EXPECT_GT(row.naive, row.robust) << tilt;
   }
-  EXPECT_GT(another.at(80).naive, another.at(35).naive) << "the more, the more the plane is tilted";
+  if (test::drawn_by_llvmpipe()) {
+    EXPECT_GT(another.at(80).naive, another.at(35).naive) << "the more, the more the plane is tilted";
+  }
   for (const StabilityRow& row : rows) EXPECT_FALSE(quantity_of(experiment, row.series).title.empty());
   EXPECT_EQ(experiment_figures(experiment, rows).front().quantity, &experiment.series.front());
 }
@@ -77,7 +80,10 @@ TEST(DriverDepth, FormatsKeepSheetsApartFromTheWidthOfACode) {
   const std::vector<StabilityRow> rows = find_stability_experiment("driver-depth").measure({});
   const auto driver = rows_of(rows, "24 bits, driver"), own = rows_of(rows, "24 bits, ours");
   ASSERT_EQ(driver.size(), 10u);
-  for (const StabilityRow& row : rows) EXPECT_EQ(row.robust, 0) << row.series << " " << row.knob;
+  // The nearest sheets are a millionth of their depth apart, 8 to 16 floats: a driver that interpolates depths less
+  // exactly than to a float mixes them up at some pixels.
+  for (const StabilityRow& row : rows)
+    EXPECT_LE(row.robust, row.knob > 0.001 || test::drawn_by_llvmpipe() ? 0 : 10) << row.series << " " << row.knob;
   // A code is z^2 / (near 2^24) wide: 0.6 at the sheets' middle.
   const double step = 1000.0 * 1000 / (0.1 * 0x1p24);
   EXPECT_NEAR(own.at(0.3).naive, 100 * (1 - 0.3 / step), 5) << "two depths 0.3 apart share a code by chance";
@@ -135,7 +141,7 @@ TEST(DriverLevel, IsNotMeasuredWithoutADriver) {
   if (test::is_emulated()) GTEST_SKIP() << "the emulator has no libraries of OpenGL";
   PS_NEEDS_HARDWARE(hardware);
   const test::ScratchFolder folder;
-  const test::Variable vendors("__EGL_VENDOR_LIBRARY_DIRS", folder.path().string());
+  const test::WithoutEglDriver without(folder.path().string());
   const auto result = test::run_cli({"stability", "driver-level"});
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.out.find("not measured: no OpenGL: no driver"), std::string::npos) << result.out;

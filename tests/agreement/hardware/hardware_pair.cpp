@@ -23,6 +23,11 @@ std::optional<Renderer> hardware_here(std::string& reason) {
   return settings.renderer;
 }
 
+bool drawn_by_llvmpipe() {
+  const auto& driver = hardware::availability().driver;
+  return driver && driver->renderer.starts_with("llvmpipe");
+}
+
 std::string PairDifference::text() const {
   return fmt::format("{} of {} pixels seen; {} ids and {} colours differ, by {} levels at most", seen, pixels, ids,
                      colours, largest);

@@ -12,6 +12,10 @@ namespace ps::test {
 /// The number of the hardware renderer, or nothing where this machine has no OpenGL. `reason` then says why.
 std::optional<Renderer> hardware_here(std::string& reason);
 
+/// Mesa's drawing on the processor, which is what tests have where there is no graphics card. What tests state of its
+/// rounding holds for no other driver.
+bool drawn_by_llvmpipe();
+
 /// Skips the test where there is no OpenGL; `hardware` is the renderer's number afterwards.
 #define PS_NEEDS_HARDWARE(hardware)                                                                                    \
   std::string no_hardware;                                                                                             \

@@ -107,7 +107,7 @@ TEST(RendererSweep, SaysWhyHardwareIsAbsentWithoutADriver) {
   if (test::is_emulated()) GTEST_SKIP() << "the emulator has no libraries of OpenGL";
   PS_NEEDS_HARDWARE(hardware);
   const test::ScratchFolder folder;
-  const test::Variable vendors("__EGL_VENDOR_LIBRARY_DIRS", folder.path().string());
+  const test::WithoutEglDriver without(folder.path().string());
   const std::string out = folder.file("chart");
   const auto result = test::run_cli(
       {"chart", "cgpp/triangle", "--size", "16x10", "--sweep", "renderers", "--repeats", "1", "--out", out});

@@ -138,6 +138,46 @@ std::map<int, std::pair<double, double>> first_depths(const PixelStory& story) {
   return depths;
 }
 
+/// The means of what several triangles show would differ at edges by as much as the triangles do.
+TEST(HardwareSamples, ChannelsAreThoseOfTheFirstSample) {
+  PS_NEEDS_HARDWARE(hardware);
+  for (const char* name : {"cgfs/crates", "cgfs/shading"}) {
+    const Scene scene = load_scene(name);
+    Settings settings = settings_for(scene);
+    for (const char* set : {"multisampling=4", "shadows=none", "vertex-snapping=cpu"}) parse_assignment(set, settings);
+    settings.subpixel_bits = hardware::availability().driver->subpixel_bits;
+    RenderRequest request;
+    request.channels = Channel::ids | Channel::depth | Channel::normal | Channel::uv | Channel::barycentric;
+    const View view{scene.camera, width, height};
+    Prepared prepared;
+    Progress progress;
+    settings.renderer = Renderer::rasterizer;
+    const Frame expected = render(scene, view, settings, request, prepared, progress);
+    settings.renderer = hardware;
+    const Frame drawn = render(scene, view, settings, request, prepared, progress);
+    long seen = 0, edges = 0;
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        const std::string where = fmt::format("{} {},{}", name, x, y);
+        const PixelId id = expected.ids.at(x, y);
+        EXPECT_EQ(id, drawn.ids.at(x, y)) << where;
+        if (id.object < 0 || id != drawn.ids.at(x, y)) continue;
+        ++seen;
+        edges += (x > 0 && expected.ids.at(x - 1, y) != id) || (y > 0 && expected.ids.at(x, y - 1) != id);
+        EXPECT_NEAR(expected.depth.at(x, y), drawn.depth.at(x, y), 1e-4 * expected.depth.at(x, y)) << where;
+        EXPECT_LT(length(expected.normal.at(x, y) - drawn.normal.at(x, y)), 1e-3f) << where;
+        const auto apart = [&](const Image<Vec2f>& a, const Image<Vec2f>& b) {
+          return std::max(std::abs(a.at(x, y).x - b.at(x, y).x), std::abs(a.at(x, y).y - b.at(x, y).y));
+        };
+        EXPECT_LT(apart(expected.uv, drawn.uv), 2e-3f) << where;
+        const Vec3f weights = expected.barycentric.at(x, y) - drawn.barycentric.at(x, y);
+        EXPECT_LT(length(weights), 5e-3f) << where;
+      }
+    EXPECT_GT(seen, 1000) << name;
+    EXPECT_GT(edges, 100) << name;
+  }
+}
+
 TEST(HardwareSamples, HaveTheRasterizersDepths) {
   PS_NEEDS_HARDWARE(hardware);
   const Scene scene = load_scene("cgfs/depth");

@@ -225,7 +225,7 @@ TEST(ShaderReload, KeepsTheLastGoodProgramAndNamesTheLine) {
   const std::string text = read_whole_file(own.shaders() / "fragment.glsl");
   const auto line =
       std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find("surface_colour +;")), '\n') + 1;
-  EXPECT_NE(message.find(fmt::format("fragment.glsl:{}(", line)), std::string::npos) << message;
+  EXPECT_NE(message.find(fmt::format("fragment.glsl:{}", line)), std::string::npos) << message;
   EXPECT_EQ(draw(settings), before) << "the last good program stays in use";
   Settings unlit = settings;
   unlit.lighting = !unlit.lighting;

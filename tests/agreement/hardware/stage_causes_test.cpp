@@ -52,6 +52,13 @@ StageRequest request_of(const PlantedFault& fault, Renderer hardware) {
   return request;
 }
 
+std::string shares_text(const StageSplit& split) {
+  std::string text;
+  for (std::size_t i = 0; i < stage_cause_count; ++i)
+    text += fmt::format("{} {}; ", stage_cause_label(static_cast<StageCause>(i)), split.shares[i].pixels);
+  return text;
+}
+
 TEST(HardwareStages, PlantedFaultsBelongToTheirCause) {
   PS_NEEDS_HARDWARE(hardware);
   std::set<StageCause> planted;
@@ -63,7 +70,7 @@ TEST(HardwareStages, PlantedFaultsBelongToTheirCause) {
                                          fmt::join(fault.hardware, " "), fmt::join(fault.rasterizer, " "));
     fmt::print("{}: {} pixels, {:.1f} %\n", name, split.whole.pixels, 100 * split.part(fault.cause));
     EXPECT_GT(split.whole.pixels, 50) << name << ": hardly a fault";
-    EXPECT_GE(split.part(fault.cause), 0.95) << name;
+    EXPECT_GE(split.part(fault.cause), 0.95) << name << ": " << shares_text(split);
     const Image<Rgb8> picture = stage_picture(split);
     long coloured = 0;
     for (const Rgb8& pixel : picture.pixels()) coloured += pixel == stage_cause_colour(fault.cause);
