@@ -6,6 +6,7 @@
 
 #include "hardware/lacks.h"
 #include "hardware/picture_plan.h"
+#include "hardware/renderer.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
 
@@ -97,9 +98,10 @@ std::string rows_of(const Option& option) {
 }  // namespace
 
 std::string option_page() {
+  const RendererKind kind = hardware_renderer_kind();
   std::string page(head);
   for (const Option& option : option_table()) {
-    const bool own = option.key == "vertex-snapping" || option.key == "hardware-texturing";
+    const bool own = kind.reads(option, {}, {}).value_or(false);
     if (option.key == "renderer" || !(own || acts_for(option.acts_for, PictureWay::fragments))) continue;
     if (option.effect == OptionEffect::picture) page += rows_of(option);
   }

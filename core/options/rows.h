@@ -1,7 +1,11 @@
 #pragma once
+#include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "base/check.h"
+#include "base/enumerators.h"
 #include "options/option.h"
 
 /// Helpers for writing rows of the option table. Each group has a file with one function that returns its rows;
@@ -67,8 +71,12 @@ Option toggle(const Names& names) {
   return row<Member>(names, OptionKind::boolean);
 }
 
+/// The choices come in the order of the enum, one for each enumerator.
 template <auto Member>
 Option choice(const Names& names, std::vector<Choice> choices) {
+  using Value = std::remove_cvref_t<decltype(std::declval<Settings>().*Member)>;
+  if constexpr (std::is_enum_v<Value>)
+    PS_ASSERT(choices.size() == enumerator_count<Value>(), "choices of " + std::string(names.key));
   Option option = row<Member>(names, OptionKind::choice);
   option.choices = std::move(choices);
   option.maximum = static_cast<double>(option.choices.size()) - 1;

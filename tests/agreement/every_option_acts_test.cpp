@@ -95,10 +95,12 @@ std::vector<SameByDesign> same_simd() {
 std::vector<SameByDesign> same_by_design() {
   std::vector<SameByDesign> same = same_simd();
   same.push_back({"threads", {"0", "256"}, "only time differs: pictures and counts never depend on threads"});
-  if (!test::has_renderer("hardware"))
-    for (const auto& [option, first, second] :
-         {std::tuple{"vertex-snapping", "driver", "cpu"}, {"hardware-texturing", "shader", "driver"}})
-      same.push_back({option, {first, second}, "there is no OpenGL here"});
+  for (const Option& option : option_table()) {
+    if (!test::lacks_its_renderer(option)) continue;
+    SameByDesign all{option.key, {}, "there is no OpenGL here"};
+    for (const OptionNumber value : tried_values(option)) all.values.push_back(value_text(option, value));
+    same.push_back(all);
+  }
   for (const RendererKind& kind : renderer_kinds())
     if (!test::has_renderer(kind.key))
       for (const RendererKind& other : renderer_kinds())

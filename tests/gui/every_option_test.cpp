@@ -71,8 +71,7 @@ TEST_P(EveryOption, ActsThroughItsControlAndIsUndone) {
   for (const Option& option : option_table()) {
     const auto response = responses.find(option);
     if (!response) {  // only time changes: whatever its value, the picture and the counters are the same
-      const bool added = option.key == "vertex-snapping" || option.key == "hardware-texturing";
-      if (added && !test::has_renderer("hardware")) continue;
+      if (test::lacks_its_renderer(option)) continue;
       const bool speed = option.key == "threads" || option.key == "simd" || option.key == "cache-constants";
       ASSERT_TRUE(speed) << option.key << " responds nowhere";
       const Outcome same = responses.unchanged(0);

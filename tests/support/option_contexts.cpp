@@ -4,6 +4,7 @@
 
 #include "base/resources.h"
 #include "frame/display_frame.h"
+#include "options/listing.h"
 #include "options/renderer_kind.h"
 #include "options/scene_settings.h"
 #include "render/render.h"
@@ -38,6 +39,13 @@ bool has_renderer(std::string_view key) {
   for (const RendererKind& kind : renderer_kinds())
     if (kind.key == key) return !kind.inactive || !kind.inactive(Settings{}, SceneTraits{});
   return false;
+}
+
+// An option that nobody reads although all renderers are here is a mistake, and no excuse.
+bool lacks_its_renderer(const Option& option) {
+  if (has_renderer("hardware") || option.acts_for != ActsFor::readers) return false;
+  const auto all = listings();
+  return std::none_of(all.begin(), all.end(), [&](const NamedListing& one) { return listing_reads(one, option.key); });
 }
 
 const std::vector<OptionContext>& option_contexts() {

@@ -18,6 +18,8 @@ struct OptionContext {
 
 /// Is there a renderer of this key that can draw here?
 bool has_renderer(std::string_view key);
+/// Is the option used by renderers alone that cannot draw here, such as the hardware renderer where there is no OpenGL?
+bool lacks_its_renderer(const Option& option);
 
 /// Enough of them that any two choices of an option, and the ends of its range, differ in at least one, unless they
 /// have the same result by design.

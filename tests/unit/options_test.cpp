@@ -2,74 +2,21 @@
 
 #include <cctype>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "base/check.h"
+#include "base/enumerators.h"
 #include "base/machine.h"
-#include "options/listing.h"
 #include "options/option.h"
+#include "options/rows.h"
 #include "raytrace/embree_triangles.h"
 
 namespace ps {
 namespace options_test {
 namespace {
 
-template <class Enum>
-std::size_t up_to(Enum last) {
-  return static_cast<std::size_t>(last) + 1;
-}
-
-/// How many enumerators each choice has, by its last one.
-const std::map<std::string_view, std::size_t>& enumerator_counts() {
-  static const std::map<std::string_view, std::size_t> counts{
-      {"renderer", up_to(Renderer::textbook)},
-      {"listing", listings().size() + 1},
-      {"listing-bug", listing_bugs().size() + 1},
-      {"sample-position", up_to(SamplePosition::corner)},
-      {"projection", up_to(Projection::orthographic)},
-      {"viewport-fit", up_to(ViewportFit::stretch)},
-      {"field-of-view-span", up_to(FieldOfViewSpan::centres)},
-      {"clipping", up_to(Clipping::none)},
-      {"visibility", up_to(Visibility::draw_order)},
-      {"depth-value", up_to(DepthValue::ray_plane)},
-      {"depth-format", up_to(DepthFormat::unorm)},
-      {"coverage", up_to(Coverage::micropolygon)},
-      {"edge-arithmetic", up_to(EdgeArithmetic::int32)},
-      {"parallax-mapping", up_to(Parallax::occlusion)},
-      {"patches", up_to(Patches::projected_error)},
-      {"light-passes", up_to(LightPasses::many)},
-      {"canvas-fill", up_to(CanvasFill::rows)},
-      {"fill-rule", up_to(FillRule::exclusive)},
-      {"vertex-snapping", up_to(VertexSnapping::cpu)},
-      {"hardware-texturing", up_to(HardwareTexturing::driver)},
-      {"draw", up_to(Draw::points)},
-      {"line-algorithm", up_to(LineAlgorithm::bresenham)},
-      {"shading", up_to(Shading::flat)},
-      {"normals", up_to(Normals::triangle)},
-      {"normal-transform", up_to(NormalTransform::model)},
-      {"highlight", up_to(Highlight::blinn_phong)},
-      {"interpolation", up_to(Interpolation::affine)},
-      {"texture-filter", up_to(TextureFilter::nearest)},
-      {"texture-wrap", up_to(TextureWrap::mirror)},
-      {"shadows", up_to(Shadows::stencil_depth_pass)},
-      {"environment", up_to(Environment::room_map)},
-      {"environment-objects", up_to(EnvironmentObjects::fixed)},
-      {"sample-pattern", up_to(SamplePattern::r2)},
-      {"self-hit", up_to(SelfHit::normal_bump)},
-      {"shadow-rays", up_to(ShadowRays::useful)},
-      {"epsilon-unit", up_to(EpsilonUnit::distance)},
-      {"accelerator", has_embree() ? up_to(Accelerator::embree) : up_to(Accelerator::two_level)},
-      {"slab-test", up_to(SlabTest::naive)},
-      {"triangle-test", up_to(triangle_test_texts.back().test)},
-      {"sphere-test", up_to(SphereTest::quadratic)},
-      {"illumination", up_to(Illumination::radiometric)},
-      {"transparency", up_to(TransparencyShare::fresnel)},
-      {"precision", up_to(Precision::float64)},
-      {"simd", up_to(Simd::avx512)},
-      {"colour-depth", up_to(ColourDepth::bits15)}};
-  return counts;
-}
+enum class Fruit { apple, pear, plum };
+static_assert(enumerator_count<Fruit>() == 3 && enumerator_count<TriangleTest>() == triangle_test_texts.size());
 
 bool kebab_case(std::string_view key) {
   if (key.empty() || !std::islower(static_cast<unsigned char>(key.front())) || key.back() == '-') return false;
@@ -127,16 +74,16 @@ TEST(OptionTable, EveryRowIsExplained) {
   }
 }
 
-TEST(OptionTable, ChoicesAreTheEnumerators) {
-  for (const Option& option : option_table()) {
-    if (option.kind != OptionKind::choice) {
-      EXPECT_TRUE(option.choices.empty()) << option.key;
-      continue;
-    }
-    const auto count = enumerator_counts().find(option.key);
-    ASSERT_NE(count, enumerator_counts().end()) << option.key;
-    EXPECT_EQ(option.choices.size(), count->second) << option.key;
-  }
+TEST(OptionTable, OnlyChoicesHaveThem) {
+  for (const Option& option : option_table())
+    EXPECT_EQ(option.choices.empty(), option.kind != OptionKind::choice) << option.key;
+}
+
+TEST(OptionTableDeathTest, ARowWithoutAChoiceForEachEnumeratorEndsTheProgram) {
+  rows::Names names;
+  names.key = "fill-rule";
+  const std::vector<Choice> two{{"top-left", "top-left", ""}, {"inclusive", "inclusive", ""}};
+  EXPECT_DEATH(rows::choice<&Settings::fill_rule>(names, two), "choices of fill-rule");
 }
 
 TEST(OptionTable, DefaultsLieInRange) {

@@ -42,12 +42,6 @@ void Intersector<Real, Recorder>::prepare(Query& query) const {
   if (!geometry_.triangles.empty() || shares_meshes(geometry_)) query.shear = Shear<Real>(query.ray.direction);
 }
 
-template <class Real, class Recorder>
-CandidateRay<Real> Intersector<Real, Recorder>::candidate(const Ray<Real>& ray) const {
-  const bool naive = inputs_.settings.slab_test == SlabTest::naive;
-  return {ray.origin, ray.direction, inputs_.box_padding * reach(ray), naive ? SlabForm::naive : SlabForm::robust};
-}
-
 // Unbounded primitives first, which no accelerator holds, then those that the accelerator names.
 template <class Real, class Recorder>
 Hit<Real> Intersector<Real, Recorder>::search(const Ray<Real>& ray, Find find) const {

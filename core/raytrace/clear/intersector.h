@@ -37,7 +37,10 @@ class Intersector final : public RaySearch<Real> {
   /// Tests one primitive; if the ray meets it in its range and nearer than `best`, it becomes `best` (judge()).
   bool test(const Query& query, std::uint32_t index, Hit<Real>& best) const;
   /// The ray as accelerators take it.
-  CandidateRay<Real> candidate(const Ray<Real>& ray) const;
+  CandidateRay<Real> candidate(const Ray<Real>& ray) const {
+    const bool naive = inputs_.settings.slab_test == SlabTest::naive;
+    return {ray.origin, ray.direction, inputs_.box_padding * reach(ray), naive ? SlabForm::naive : SlabForm::robust};
+  }
   /// The largest coordinate, of the scene or of the ray's origin.
   Real reach(const Ray<Real>& ray) const {
     const Vec3<Real>& o = ray.origin;

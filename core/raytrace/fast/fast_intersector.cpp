@@ -10,21 +10,23 @@ Hit<float> FastIntersector::nearest(const Ray<float>& ray) const { return find(r
 Hit<float> FastIntersector::any(const Ray<float>& ray) const { return find(ray, Find::any); }
 
 void FastIntersector::nearest_of_each(std::span<const Ray<float>> rays, std::span<Hit<float>> hits) const {
+  WidePacket packet;
   for (std::size_t first = 0; first < rays.size(); first += packet_width) {
     const std::size_t count = std::min(packet_width, rays.size() - first);
     const auto some = rays.subspan(first, count);
     const auto found = hits.subspan(first, count);
     if (wide_.list)
       search_list_together(some, found);
-    else if (suits_together(some))
-      search_tree_together(some, found);
+    else if (put_side_by_side(some, packet))
+      search_tree_together(some, packet, found);
     else
       for (std::size_t i = 0; i < count; ++i) found[i] = nearest(some[i]);
   }
 }
 
 Hit<float> FastIntersector::find(const Ray<float>& ray, Find find) const {
-  if (wide_.wide && !suits_tree(ray)) return find == Find::any ? clear_.any(ray) : clear_.nearest(ray);
+  if (wide_.wide && !suits_tree(ray, clear_.reach(ray)))
+    return find == Find::any ? clear_.any(ray) : clear_.nearest(ray);
   Hit<float> best;
   if (wide_.only_triangles)
     best.t = ray.t_max;
@@ -55,13 +57,6 @@ Hit<float> FastIntersector::find_other(const Ray<float>& ray, Find find) const {
   return best;
 }
 
-void FastIntersector::search_tree(const Ray<float>& ray, Find find, Hit<float>& best) const {
-  const WideSearch search = find == Find::any ? wide_.searches.any : wide_.searches.nearest;
-  WideCount work;
-  search(wide_.wide->triangles, {ray, padding(ray), inputs_.triangle_epsilon}, best, work);
-  count(work);
-}
-
 void FastIntersector::search_list(const Ray<float>& ray, Find find, Hit<float>& best) const {
   const ListSearch search = find == Find::any ? wide_.searches.list_any : wide_.searches.list_nearest;
   WideCount work;
@@ -82,23 +77,29 @@ void FastIntersector::search_list_together(std::span<const Ray<float>> rays, std
   count(work);
 }
 
-// The last ray fills lanes that are left over.
-void FastIntersector::search_tree_together(std::span<const Ray<float>> rays, std::span<Hit<float>> hits) const {
-  WidePacket packet;
-  WidePacketHits best;
+bool FastIntersector::put_side_by_side(std::span<const Ray<float>> rays, WidePacket& packet) const {
+  if (!wide_.packets.nearest || !suits_packet(rays.data(), rays.size())) return false;
   float pad = 0;
   packet.triangle_epsilon = inputs_.triangle_epsilon;
   for (std::size_t lane = 0; lane < packet_width; ++lane) {
     const Ray<float>& ray = rays[std::min(lane, rays.size() - 1)];
+    const float reach = clear_.reach(ray);
+    if (!suits_tree(ray, reach)) return false;
     for (int axis = 0; axis < 3; ++axis) {
       packet.origin[static_cast<std::size_t>(axis)][lane] = ray.origin[axis];
       packet.direction[static_cast<std::size_t>(axis)][lane] = ray.direction[axis];
     }
     packet.t_min[lane] = ray.t_min;
     packet.t_max[lane] = ray.t_max;
-    pad = std::max(pad, padding(ray));
+    pad = std::max(pad, inputs_.box_padding * reach);
   }
   packet.pad = pad;
+  return true;
+}
+
+void FastIntersector::search_tree_together(std::span<const Ray<float>> rays, const WidePacket& packet,
+                                           std::span<Hit<float>> hits) const {
+  WidePacketHits best;
   nearest_others(rays, packet, hits);
   for (std::size_t lane = 0; lane < packet_width; ++lane) {
     const std::size_t i = std::min(lane, rays.size() - 1);
@@ -126,21 +127,6 @@ void FastIntersector::nearest_others(std::span<const Ray<float>> rays, const Wid
     hits[i].t = rays[i].t_max;
     if ((perhaps >> i & 1u) != 0) hits[i] = find_other(rays[i], Find::nearest);
   }
-}
-
-bool FastIntersector::suits_together(std::span<const Ray<float>> rays) const {
-  if (!wide_.packets.nearest || !suits_packet(rays.data(), rays.size())) return false;
-  return std::all_of(rays.begin(), rays.end(), [&](const Ray<float>& ray) { return suits_tree(ray); });
-}
-
-bool FastIntersector::suits_tree(const Ray<float>& ray) const {
-  const Vec3f& d = ray.direction;
-  return clear_.reach(ray) < 1e15f * std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-}
-
-void FastIntersector::count(const WideCount& work) const {
-  recorder_.count(Counter::node_visits, work.nodes);
-  recorder_.count(Counter::triangle_tests, work.triangles);
 }
 
 }  // namespace ps

@@ -1,4 +1,7 @@
 #pragma once
+#include <algorithm>
+#include <cmath>
+
 #include "raytrace/clear/intersector.h"
 #include "raytrace/fast/wide_inputs.h"
 
@@ -23,21 +26,35 @@ class FastIntersector final : public RaySearch<float> {
   Hit<float> find(const Ray<float>& ray, Find find) const;
   /// The nearest primitive, or any, that is not a triangle.
   Hit<float> find_other(const Ray<float>& ray, Find find) const;
-  /// Improves `best` by triangles.
-  void search_tree(const Ray<float>& ray, Find find, Hit<float>& best) const;
+  /// Improves `best` by triangles. In the class, as suits_tree() is: shadow rays need both one at a time.
+  void search_tree(const Ray<float>& ray, Find find, Hit<float>& best) const {
+    const WideSearch search = find == Find::any ? wide_.searches.any : wide_.searches.nearest;
+    WideCount work;
+    search(wide_.wide->triangles, {ray, padding(ray), inputs_.triangle_epsilon}, best, work);
+    count(work);
+  }
   void search_list(const Ray<float>& ray, Find find, Hit<float>& best) const;
 
   // Up to packet_width rays at once.
-  bool suits_together(std::span<const Ray<float>> rays) const;
-  void search_tree_together(std::span<const Ray<float>> rays, std::span<Hit<float>> hits) const;
+  /// The last ray fills lanes that are left over. False if the rays must be searched one by one.
+  bool put_side_by_side(std::span<const Ray<float>> rays, WidePacket& packet) const;
+  void search_tree_together(std::span<const Ray<float>> rays, const WidePacket& packet,
+                            std::span<Hit<float>> hits) const;
   void search_list_together(std::span<const Ray<float>> rays, std::span<Hit<float>> hits) const;
   /// For each ray of a packet the nearest primitive that is not a triangle.
   void nearest_others(std::span<const Ray<float>> rays, const WidePacket& packet, std::span<Hit<float>> hits) const;
 
-  /// The arithmetic of the wide tree's boxes must not overflow: no direction that is tiny beside the scene, no NaN.
-  bool suits_tree(const Ray<float>& ray) const;
+  /// The arithmetic of the wide tree's boxes must not overflow: no direction that is tiny beside the ray's reach, no
+  /// NaN.
+  static bool suits_tree(const Ray<float>& ray, float reach) {
+    const Vec3f& d = ray.direction;
+    return reach < 1e15f * std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+  }
   float padding(const Ray<float>& ray) const { return inputs_.box_padding * clear_.reach(ray); }
-  void count(const WideCount& work) const;
+  void count(const WideCount& work) const {
+    recorder_.count(Counter::node_visits, work.nodes);
+    recorder_.count(Counter::triangle_tests, work.triangles);
+  }
 
   const TraceInputs<float>& inputs_;
   const WideInputs& wide_;
