@@ -204,6 +204,7 @@ void own_listing_view(Session& session, OwnListingState& state) {
   value_paragraph("state", state_text(session, state));
   if (!state.taken) return;
   LineMarks marks;
+  marks.routine = state.task.routine;
   for (const CompilerMessage& message : state.taken->compilation.messages) {
     const int line = shown_line(state, message.line);
     std::string& text = line > 0 ? marks.faults[line] : marks.elsewhere;
