@@ -39,7 +39,7 @@ void show_linked_panel(Session& session, PanelStates& my, const std::string& nam
   if (name == story_panel_name) return show_story(session, "story");
   if (name == parting_panel_name) return show_story(session, "parting");
   show_panel(session, name);
-  my.lessons.column.shows = ColumnShows::tool;
+  if (session.document().mode == ScreenMode::lesson) my.lessons.column.shows = ColumnShows::tool;
   flash({session.document().mode == ScreenMode::lesson ? "stage" : "bottom/" + name});
 }
 
