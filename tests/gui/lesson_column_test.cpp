@@ -54,7 +54,7 @@ TEST(LessonColumn, AToolThatIsChosenIsShown) {
 
 TEST(LessonColumn, TheListingsMenuHasWhatIsAboveTheCodeElsewhere) {
   expect_plays("menu",
-               "key V\nwait idle\nclick listing/copy\nwait idle\nexpect own/open on\n" + fits +
+               "key V\nwait idle\nclick listing/copy\nwait frames 6\nexpect own/open on\n" + fits +
                    "click listing/own/close\nwait idle\nexpect own/open off\nclick listing/picture\nwait idle\n" + fits,
                large + "cgfs_02_basic_ray_tracing/7");
 }
