@@ -104,7 +104,7 @@ TEST_P(WindowShares, ExploringKeepsThePicturesLarge) {
   // First without the pixel's story, then with it.
   const auto shares =
       printed("wait idle\nexpect pixel-panel off\nprint window/pictures-share\nclick-pixel A 200,300\nwait idle\n"
-              "expect pixel-panel on\nprint window/pictures-share\n",
+              "expect pixel-panel on\nexpect window/cut \"\"\nprint window/pictures-share\n",
               "gui-share-explore", size, "--scale " + type);
   ASSERT_EQ(shares.size(), 2u);
   for (const double share : shares) EXPECT_GE(share, explore_share) << size << ", type " << type;
