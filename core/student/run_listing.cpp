@@ -54,7 +54,8 @@ std::string why_it_failed(const Launched& launched, const LaunchLimits& limits) 
   case LaunchEnd::signalled:
     return crash_text(launched.status);
   case LaunchEnd::processor_time:
-    return fmt::format("It used more than {:.3g} s of processor time and was stopped. Does a loop never end?",
+    return fmt::format("It used more than {:.3g} s of processor time and was stopped. Does a loop never end? If all of "
+                       "them do, choose a smaller picture size or a scene with fewer triangles.",
                        limits.processor_seconds);
   case LaunchEnd::time:
     return fmt::format("It did not end within {:.3g} s and was stopped.", limits.seconds);

@@ -66,14 +66,32 @@ TEST(LessonPlan, SquarePicturesHaveTheirShareBelowAndBesideTools) {
         EXPECT_TRUE(apart(plan.text, plan.pictures));
         if (stage == StagePlace::beside) {
           EXPECT_TRUE(inside(plan.stage, in.area));
-          EXPECT_TRUE(apart(plan.text, plan.stage));
+          const bool one_place = plan.text.max.x == plan.stage.max.x && plan.text.height() == plan.stage.height();
+          EXPECT_TRUE(plan.shared ? one_place : apart(plan.text, plan.stage));
           EXPECT_TRUE(apart(plan.pictures, plan.stage));
         }
-        // Large type on a small screen leaves a tall tool no room below the text, and the captions take more.
+        // The captions of large type on a small screen take more.
         const bool cramped = window.scale > 1 && window.width < 1400;
-        const double least = stage == StagePlace::beside ? (cramped ? 19 : 30) : cramped ? 30 : 35;
-        EXPECT_GE(best_share(in, plan.pictures), least);
+        EXPECT_EQ(plan.shared, cramped && stage == StagePlace::beside);
+        EXPECT_GE(best_share(in, plan.pictures), stage == StagePlace::beside || cramped ? 30 : 35);
       }
+    }
+}
+
+/// 24 lines of code in small type are 24 times 18 high, at scale 1.
+TEST(LessonPlan, TheShareIsKeptForPicturesOfAnyShapeInLargeType) {
+  for (const Vec2i picture : {Vec2i{600, 600}, Vec2i{800, 450}, Vec2i{300, 600}})
+    for (const Case& window : {Case{1024, 768, 1.5f}, Case{1366, 768, 1.5f}, Case{1366, 768, 1.25f}}) {
+      SCOPED_TRACE(std::to_string(picture.x) + " wide at " + std::to_string(window.width) + " type " +
+                   std::to_string(window.scale));
+      const PlanInput in = input_of(window, picture);
+      const LessonPlan plan = plan_lesson(in, StagePlace::beside);
+      EXPECT_TRUE(inside(plan.pictures, in.area) && inside(plan.stage, in.area));
+      EXPECT_TRUE(apart(plan.pictures, plan.stage));
+      EXPECT_GE(best_share(in, plan.pictures), 30);
+      if (!plan.shared) continue;
+      EXPECT_GE(plan.stage.height(), 24 * 18 * window.scale);
+      EXPECT_GE(plan.stage.width(), 0.33f * window.width);
     }
 }
 

@@ -185,7 +185,10 @@ void draw_listing(const BookScene& scene, BookCanvas& canvas) {
 Compilation* OwnListingRuns::compiled_ = nullptr;
 
 TEST_F(OwnListingRuns, WhatGoesWrongIsASentence) {
-  EXPECT_EQ(run(1).failure, "It used more than 1 s of processor time and was stopped. Does a loop never end?");
+  EXPECT_EQ(
+      run(1).failure,
+      "It used more than 1 s of processor time and was stopped. Does a loop never end? If all of them do, choose a "
+      "smaller picture size or a scene with fewer triangles.");
   EXPECT_NE(run(2).failure.find("SIGSEGV"), std::string::npos);
   EXPECT_EQ(run(5).failure, "It threw an exception: index 7 of 3");
   EXPECT_EQ(run(6).failure, "It ended before its picture was complete.");

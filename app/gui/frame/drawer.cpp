@@ -10,6 +10,14 @@
 #include "gui/widgets/tab_row.h"
 
 namespace ps::gui {
+
+std::string tab_label(const Panel& tool) {
+  std::string label(tool.heading);
+  for (std::size_t i = 1; i < label.size(); ++i)
+    label[i] = static_cast<char>(std::tolower(static_cast<unsigned char>(label[i])));
+  return label;
+}
+
 namespace {
 
 struct GroupRow {
@@ -48,14 +56,6 @@ const Panel* open_tool(const Session& session, const std::vector<Panel>& panels)
 std::string_view first_tool(const std::vector<Panel>& panels, const DrawerState& state, ToolGroup group) {
   const std::string_view last = state.last[place_of(group)];
   return last.empty() ? tools_of(panels, group).front()->name : last;
-}
-
-/// Tabs have capitals at their beginning alone: "Microscope".
-std::string tab_label(const Panel& tool) {
-  std::string label(tool.heading);
-  for (std::size_t i = 1; i < label.size(); ++i)
-    label[i] = static_cast<char>(std::tolower(static_cast<unsigned char>(label[i])));
-  return label;
 }
 
 /// The tools of a group, in the line of the groups where there is room.
@@ -99,7 +99,7 @@ void drawer_tabs(Session& session, const std::vector<Panel>& panels, DrawerState
   if (open) state.last[place_of(open->group)] = open->name;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float right = at.x + ImGui::GetContentRegionAvail().x;
-  if (tab_row("bottom", tabs, index))
+  if (tab_row("bottom", tabs, {}, index, open ? button_width("↓") : 0))
     show_panel(session, first_tool(panels, state, groups[static_cast<std::size_t>(index)].group));
   if (!open) return;
   if (const auto tools = tools_of(panels, open->group); tools.size() > 1) tool_tabs(session, tools, *open);

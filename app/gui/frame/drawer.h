@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct DrawerState {
 
 /// The tabs of the drawer: four groups, and beside them the tools of the open one. They act on the document.
 void drawer_tabs(Session& session, const std::vector<Panel>& panels, DrawerState& state);
+
+/// A tool's name as tabs have it, with a capital at its beginning alone: "Microscope".
+std::string tab_label(const Panel& tool);
 
 /// A key for each group, which opens it, and pressed again its next tool.
 void add_drawer_actions(Actions& actions, Session& session, const std::vector<Panel>& panels, DrawerState& state);

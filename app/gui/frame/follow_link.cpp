@@ -33,11 +33,13 @@ void show_story(Session& session, std::string_view tab) {
   flash({tab == "parting" ? "pixel/side/parting" : "pixel/side/a"});
 }
 
-void show_linked_panel(Session& session, const std::string& name, const std::function<void()>& show_options) {
+void show_linked_panel(Session& session, PanelStates& my, const std::string& name,
+                       const std::function<void()>& show_options) {
   if (name == options_panel_name) return show_options();
   if (name == story_panel_name) return show_story(session, "story");
   if (name == parting_panel_name) return show_story(session, "parting");
   show_panel(session, name);
+  if (session.document().mode == ScreenMode::lesson) my.lessons.column.shows = ColumnShows::tool;
   flash({session.document().mode == ScreenMode::lesson ? "stage" : "bottom/" + name});
 }
 
@@ -52,7 +54,7 @@ void follow_link(Session& session, PanelStates& my, const LinkTarget& target,
   case LinkKind::control:
     return show_option(session, my, target.link.target, show_options);
   case LinkKind::panel:
-    return show_linked_panel(session, target.link.target, show_options);
+    return show_linked_panel(session, my, target.link.target, show_options);
   case LinkKind::step:
     return go_to_step(session, session.document().lesson, target.link.step);
   case LinkKind::lesson:

@@ -19,7 +19,8 @@ void MenuBar::view_menu() {
     for (const char* name : names) menu_action(actions_, name, MenuLabel::name);
     ImGui::Separator();
   };
-  // What the wheel does too, and what is set once, has menus of its own: this one fits a screen of 768 lines.
+  // What has a key or a button in sight, and what is set once, has menus of its own: this one fits a screen of 768
+  // lines at type 1.5 too.
   const auto below = [&](const char* menu, const char* label, std::initializer_list<const char*> names) {
     if (!begin_menu(menu, label)) return;
     for (const char* name : names) menu_action(actions_, name, MenuLabel::name);
@@ -28,12 +29,11 @@ void MenuBar::view_menu() {
   items({"undo", "redo", "history", "kept"});
   items({"side-by-side", "split", "difference", "only-a", "only-b"});
   below("menu/zoom", "Zoom", {"fit", "one-to-one", "zoom-in", "zoom-out"});
-  items({"grid", "handles", "gizmo"});
-  items({"channel-next", "channel-before"});
-  items({"slow-motion"});
-  items({"mode-lesson", "mode-explore", "mode-study", "mode-presenter"});
-  items({"panels", "fullscreen"});
-  items({"predict"});
+  below("menu/pictures", "In the pictures", {"grid", "handles", "gizmo", "channel-next", "channel-before"});
+  below("menu/window", "Modes and window",
+        {"mode-lesson", "mode-explore", "mode-study", "mode-presenter", "panels", "fullscreen"});
+  ImGui::Separator();
+  items({"slow-motion", "predict"});
   menu_action(actions_, "reset-view", MenuLabel::name);
   menu_action(actions_, "fly");
   tooltip(fmt::format("{}, {} and so on turn the camera; {}, {} and so on move it around the scene.",

@@ -59,6 +59,10 @@ Panel lesson(Session& session, PanelStates& my) {
               [&](Values& out) {
                 out.offer("lesson/pages", [&] { return my.lessons.text.pages; });
                 out.offer("lesson/page", [&] { return my.lessons.text.page + 1; });
+                out.offer("lesson/column", [&] {
+                  const LessonColumn& column = my.lessons.column;
+                  return !column.shared ? "both" : column.shows == ColumnShows::text ? "text" : "tool";
+                });
                 out.offer("lesson/line-length", [&] { return my.lessons.text.line_length; });
                 out.offer_below("flash/", [](std::string_view name) { return script_text(flashes(name)); });
               },
@@ -305,6 +309,10 @@ void offer_listing_values(Values& out, const ListingPanelState& listing) {
   out.offer("listing/values", [=] { return values_of() ? static_cast<int>(values_of()->watches.size()) : 0; });
 }
 
+bool head_of_listing(Session& session, PanelStates& my, const PanelHost& host) {
+  return !prediction_pending(session, my.predict) && listing_head(session, my.listing, host);
+}
+
 Panel listing(Session& session, PanelStates& my, const PanelHost& host) {
   return {.name = "listing",
           .height = PanelHeight::tall,
@@ -315,8 +323,9 @@ Panel listing(Session& session, PanelStates& my, const PanelHost& host) {
           .draw =
               [&session, &my, host](const Context& context) {
                 return unless_asked(session, my.predict,
-                                    [&] { return listing_panel(session, my.listing, context.filled, host); });
+                                    [&] { return listing_panel(session, my.listing, context, host); });
               },
+          .head = [&session, &my, host] { return head_of_listing(session, my, host); },
           .publish =
               [&](Values& out) {
                 offer_listing_values(out, my.listing);

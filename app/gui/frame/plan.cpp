@@ -14,7 +14,8 @@ constexpr float least_stage = 4.2f;    // headlines; a lower stage would show no
 constexpr double spare = 0.001;        // of the window: what rounding may take of the pictures' share
 // Of the width, where a tool stands beside one picture; where there is little, the tool needs more of it.
 constexpr float beside_text = 0.315f, beside_stage = 0.32f, little_text = 0.29f, little_stage = 0.42f;
-constexpr float little_width = 900;  // at scale 1
+constexpr float little_width = 900;    // at scale 1
+constexpr float least_shared = 0.34f;  // of the width, for text and tool in one place
 // In a window narrower and at least so high, at scale 1, the text stands over the tool and takes this part of the
 // height, a long text a larger one.
 constexpr float narrow_width = 1200, enough_height = 560, text_over_tool = 0.4f, long_text_over_tool = 0.59f;
@@ -42,6 +43,32 @@ float filled_height(const PlanInput& in, int count, float width) {
   const float each = (width - between_pictures(in, count)) / static_cast<float>(count);
   return each * static_cast<float>(in.picture.y) / static_cast<float>(std::max(in.picture.x, 1)) + in.captions +
          picture_gap * in.scale;
+}
+
+/// The part of the window, 0..1, that the pictures take in this place: two side by side or stacked, or one.
+double share_in(const PlanInput& in, const Area& place) {
+  const double aspect = static_cast<double>(in.picture.x) / std::max(in.picture.y, 1);
+  const auto pixels = [&](int across, int down) {
+    const double width = static_cast<double>(place.width() - between_pictures(in, across)) / across;
+    const double all_height = place.height() - in.scale * picture_gap * static_cast<float>(down);
+    const double height = all_height / down - in.captions;
+    const double fitted = std::max(0.0, std::min(height, width / aspect));
+    return across * down * fitted * fitted * aspect;
+  };
+  const double two = in.one_picture ? 0 : std::max(pixels(2, 1), pixels(1, 2));
+  return std::max(pixels(1, 1), two) / (static_cast<double>(in.window.x) * in.window.y);
+}
+
+/// The pictures with their share at full height; text and tool have what is left, for one of them at a time.
+LessonPlan plan_shared(const PlanInput& in) {
+  const Area& area = in.area;
+  const Size one = room_for(in, 1, beside_share + 5 * spare), two = room_for(in, 2, beside_share + 5 * spare);
+  const bool high = one.height > area.height() && !in.one_picture;
+  const float least = std::min(narrowest_text * in.scale, area.width() * least_shared);
+  const float rest = area.width() - (high ? two.width : one.width);
+  const float end = std::floor(area.min.x + std::clamp(rest, least, std::max(in.text_width, least)));
+  const Area column{area.min, {end, area.max.y}};
+  return {.text = column, .pictures = {{end, area.min.y}, area.max}, .stage = column, .shared = true};
 }
 
 /// Text, one picture and a tool, each as high as the area.
@@ -83,8 +110,9 @@ std::optional<LessonPlan> plan_text_over_tool(const PlanInput& in) {
 
 LessonPlan plan_lesson(const PlanInput& in, StagePlace stage) {
   if (stage == StagePlace::beside) {
-    const auto over = plan_text_over_tool(in);
-    return over ? *over : plan_beside(in);
+    if (const auto over = plan_text_over_tool(in)) return *over;
+    const LessonPlan beside = plan_beside(in);
+    return share_in(in, beside.pictures) >= beside_share ? beside : plan_shared(in);
   }
   const Area& area = in.area;
   const float between = grip * in.scale;
@@ -118,17 +146,18 @@ LessonPlan plan_lesson(const PlanInput& in, StagePlace stage) {
 
 ExplorePlan plan_explore(const PlanInput& in, const ExploreShares& shares) {
   const float width = in.area.width(), height = in.area.height();
-  const float least = 180 * in.scale;
+  const float least_left = std::min(180 * in.scale, width * 0.3f),
+              least_right = std::min(180 * in.scale, width * 0.24f);
   // They grow with the window only so far that the pictures keep their share.
   const float own_left = std::clamp(width * 0.183f, std::min(220 * in.scale, width * 0.24f), 300 * in.scale);
-  const float own_right = std::clamp(width * 0.2f, std::min(236 * in.scale, width * 0.26f), 380 * in.scale);
+  const float own_right = std::clamp(width * 0.2f, std::min(236 * in.scale, width * 0.24f), 380 * in.scale);
   ExplorePlan plan;
   plan.left = shares.left > 0 ? static_cast<float>(shares.left) * width : own_left;
-  plan.left = std::round(std::clamp(plan.left, std::min(least, width * 0.3f), width * 0.5f));
+  plan.left = std::round(std::clamp(plan.left, least_left, width * 0.5f));
   plan.right = in.headline;
   if (shares.pixel_open) {
     plan.right = shares.right > 0 ? static_cast<float>(shares.right) * width : own_right;
-    plan.right = std::round(std::clamp(plan.right, std::min(least, width * 0.3f), width * 0.5f));
+    plan.right = std::round(std::clamp(plan.right, least_right, width * 0.5f));
   }
   plan.bottom = shares.bottom > 0 ? static_cast<float>(shares.bottom) * height : in.headline;
   plan.bottom = std::round(std::clamp(plan.bottom, in.headline, height * 0.7f));

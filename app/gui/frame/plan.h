@@ -28,6 +28,7 @@ struct LessonPlan {
   Area text, pictures, stage;
   bool folded = false;  ///< the stage has room for its headline alone
   bool waits = false;   ///< the stage has no room until the question is answered
+  bool shared = false;  ///< text and stage have one place, for one of them at a time
 };
 
 /// Between two pictures, and between them and what is beside them, at scale 1.
@@ -40,7 +41,8 @@ inline constexpr double lesson_share = 0.35, beside_share = 0.30, explore_share 
 /// the window. What height they leave is the stage's below them; beside them it takes the place of one. Beside a tall
 /// tool the text gives way until the pictures have beside_share. In a narrow window it stands over the tool, which
 /// comes only when an open question was answered, and the
-/// text has more of the height if it is long.
+/// text has more of the height if it is long. Where type is so large that text, tool and pictures with beside_share do
+/// not fit, text and tool share one place.
 LessonPlan plan_lesson(const PlanInput& input, StagePlace stage);
 
 /// How the window is divided exploring. `left`, `right` and `bottom` are shares of the area as the document has them,

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "gui/frame/drawer.h"
@@ -55,6 +56,7 @@ bool divider(const char* name, SplitterAxis axis, ImVec2 at, float length, float
 void Regions::draw(const Area& area, bool offers_first_look) {
   offers_first_look_ = offers_first_look;
   answered_ = false;
+  my_.lessons.column.shared = false;
   if (!session_.document().layout.filled.empty()) return filled(area);
   switch (session_.document().mode) {
   case ScreenMode::lesson:
@@ -158,9 +160,14 @@ void Regions::lesson_text(const Area& area) {
     ImGui::EndChild();
     return;
   }
+  titled_text(area, lesson->title);
+}
+
+/// Of the open lesson, whose title may stand elsewhere.
+void Regions::titled_text(const Area& area, const std::string& title) {
   Area text{area.min, {area.max.x + px(text_overlap), area.max.y}};
   text = above_question(text);
-  begin_region(session_, "lesson", text, lesson->title);
+  begin_region(session_, "lesson", text, title);
   panel("lesson").draw({.filled = session_.document().layout.filled == "lesson"});
   ImGui::EndChild();
   // What is around a page of the text stays as it is when the place grows.
@@ -177,6 +184,51 @@ PlanQuestion Regions::question_beside_text() const {
   return kind == AskKind::choice || kind == AskKind::number ? PlanQuestion::open : PlanQuestion::none;
 }
 
+/// The tabs of text and tool, and what belongs to the one that is shown. Answers whether the tool asks for the whole
+/// window.
+bool Regions::column_head() {
+  LessonColumn& column = my_.lessons.column;
+  const std::string tool = tab_label(staged());
+  const std::array tabs{Choice{"text", "Text", "What the step says (V)."},
+                        Choice{"tool", tool, "The tool that the step is about (V)."}};
+  int index = column.shows == ColumnShows::text ? 0 : 1;
+  if (tab_row("column", tabs, index)) column.shows = index == 0 ? ColumnShows::text : ColumnShows::tool;
+  ImGui::SameLine(0, 0);
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + px(2));  // tabs are higher than buttons
+  choose_stage(px(36), " ");
+  ImGui::SameLine(0, px(12));
+  if (column.shows == ColumnShows::tool) return staged().head && staged().head();
+  const Lesson* lesson = my_.lessons.open(session_);
+  if (!lesson) return false;
+  const FontScope font(Face::bold);
+  const std::string title = whole_words(lesson->title, ImGui::GetContentRegionAvail().x);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos({at.x, at.y + ImGui::GetStyle().FramePadding.y});
+  region_heading(session_, "lesson", title);
+  return false;
+}
+
+/// The place that text and tool share, with tabs that choose.
+void Regions::column(const Area& area) {
+  LessonColumn& column = my_.lessons.column;
+  const std::string_view wanted = controls().revealing();  // by a script
+  if (wanted.starts_with(std::string(staged().name) + "/")) column.shows = ColumnShows::tool;
+  if (wanted.starts_with("lesson/") || wanted.starts_with("predict/")) column.shows = ColumnShows::text;
+  const float head = ImGui::GetFrameHeight() + px(4 + 1);
+  begin_region(session_, "column", {area.min, {area.max.x, area.min.y + head}}, {}, RegionPadding::tight);
+  bool fill = column_head();
+  ImGui::EndChild();
+  Area below{{area.min.x, area.min.y + head}, area.max};
+  if (column.shows == ColumnShows::text) return titled_text(below, {});
+  // A question for a line of the listing is answered there.
+  const LessonQuestions& asked = *my_.predict.lesson;
+  if (asked.asked_beside_text(session_) && asked.question()->kind == AskKind::bug) below = above_question(below);
+  begin_region(session_, "stage", below, {}, RegionPadding::tight);
+  fill = tool(staged(), {.filled = false, .headed = true}) || fill;
+  ImGui::EndChild();
+  if (fill) fill_with_stage();
+}
+
 void Regions::lesson(const Area& area) {
   // Where type is large beside the window, the lines around the pictures are what gives way.
   const bool one = session_.document().compare != CompareMode::side_by_side || stage_place() == StagePlace::beside;
@@ -186,27 +238,38 @@ void Regions::lesson(const Area& area) {
   input.question = question_beside_text();
   input.text_height = text_height_;
   const LessonPlan plan = plan_lesson(input, stage_place());
-  lesson_text(plan.text);
+  follow_column(session_, my_.lessons);
+  my_.lessons.column.shared = plan.shared && session_.document().layout.panels && my_.lessons.open(session_);
+  if (my_.lessons.column.shared)
+    column(plan.text);
+  else
+    lesson_text(plan.text);
   if (!session_.document().layout.panels) {
     pictures({plan.pictures.min, area.max}, lesson_share, captions);
     return;
   }
-  if (stage_place() != StagePlace::none && !plan.waits) stage(plan.stage, plan.folded);
+  if (stage_place() != StagePlace::none && !plan.waits && !my_.lessons.column.shared) stage(plan.stage, plan.folded);
   pictures(plan.pictures, stage_place() == StagePlace::beside ? 1 : lesson_share, captions);
 }
 
 /// What has less height than it needs can be scrolled. Answers whether the tool asks for the whole window, or no
 /// longer.
-bool Regions::tool(const Panel& panel, bool filled) {
+bool Regions::tool(const Panel& panel, const Context& context) {
   ImGui::BeginChild("tool");
-  const bool asks = panel.draw({.filled = filled});
+  const bool asks = panel.draw(context);
   ImGui::EndChild();
   return asks;
 }
 
-/// The tool that the step is about; another one can be chosen.
-void Regions::stage(const Area& area, bool folded) {
-  begin_region(session_, "stage", area, {}, folded ? RegionPadding::tight : RegionPadding::normal);
+void Regions::fill_with_stage() {
+  session_.navigate([&](Document& document) {
+    document.layout.filled = "bottom";
+    document.layout.bottom_tab = staged().name;
+  });
+}
+
+/// The tool of the stage, from a list. `shown`: not empty: is written in place of its name.
+void Regions::choose_stage(float width, std::string_view shown) {
   std::vector<Choice> tools{{story_key, "PIXEL", "The story of the picked pixel."}};
   int index = 0;
   for (const Panel& each : panels_) {
@@ -214,21 +277,25 @@ void Regions::stage(const Area& area, bool folded) {
     if (each.name == session_.document().layout.stage) index = static_cast<int>(tools.size());
     tools.push_back({each.name, each.heading, each.help});
   }
-  if (drop_down("stage", tools, index, px(150), {.tooltip = "What is shown below the pictures.", .disabled = {}}))
+  const std::string_view help = shown.empty() ? "What is shown below the pictures." : "Another tool for this step.";
+  if (drop_down("stage", tools, index, width, {.tooltip = help, .shown = shown}))
     session_.navigate([&](Document& document) {
       document.layout.stage = index == 0 ? "" : std::string(tools[static_cast<std::size_t>(index)].key);
     });
+}
+
+/// The tool that the step is about; another one can be chosen.
+void Regions::stage(const Area& area, bool folded) {
+  begin_region(session_, "stage", area, {}, folded ? RegionPadding::tight : RegionPadding::normal);
+  choose_stage(px(150), {});
   const auto story = session_.story(inspected_side(session_));
   if (folded) {
     ImGui::SameLine(0, px(12));
     const float room = ImGui::GetContentRegionAvail().x;
     if (story && !prediction_pending(session_, my_.predict))
       value_text("stage/verdict", whole_words(story->verdict, room));
-  } else if (tool(staged(), false)) {
-    session_.navigate([&](Document& document) {
-      document.layout.filled = "bottom";
-      document.layout.bottom_tab = staged().name;
-    });
+  } else if (tool(staged(), {})) {
+    fill_with_stage();
   }
   ImGui::EndChild();
 }
@@ -239,7 +306,8 @@ void Regions::explore(const Area& area) {
   const PictureCaptions captions = area.height() < px(600) ? PictureCaptions::brief : PictureCaptions::full;
   const ExplorePlan plan =
       plan_explore(plan_input(area, captions), {shares.left, shares.right, shares.bottom, shares.pixel_open});
-  const float width = area.width(), height = area.height(), grip = px(6), least = px(180), folded = folded_height();
+  const float width = area.width(), height = area.height(), grip = px(6), folded = folded_height();
+  const float least_left = std::min(px(180), width * 0.3f), least_right = std::min(px(180), width * 0.24f);
   float left_end = plan.left, right_begin = width - plan.right, bottom = height - grip - plan.bottom;
   const ImVec2 at = area.min;
   left({at, {at.x + left_end, area.max.y}});
@@ -248,11 +316,11 @@ void Regions::explore(const Area& area) {
   pictures({{at.x + left_end + grip, at.y}, {at.x + right_begin, at.y + bottom}}, explore_share, captions);
 
   // Only what was dragged becomes a share of its own; the rest stays with what suits the window.
-  if (divider("split/left", SplitterAxis::left_right, {at.x + left_end, at.y}, height, left_end,
-              std::min(least, width * 0.3f), width * 0.5f))
+  if (divider("split/left", SplitterAxis::left_right, {at.x + left_end, at.y}, height, left_end, least_left,
+              width * 0.5f))
     session_.navigate([&](Document& document) { document.layout.left = left_end / width; });
   if (shares.pixel_open && divider("split/right", SplitterAxis::left_right, {at.x + right_begin, at.y}, height,
-                                   right_begin, width * 0.5f, width - least))
+                                   right_begin, width * 0.5f, width - least_right))
     session_.navigate([&](Document& document) { document.layout.right = 1 - right_begin / width; });
   const float most_bottom = std::max(height - grip - folded, height * 0.3f);
   const float corner = px(3);  // belongs to the dividers that stand
@@ -300,7 +368,7 @@ void Regions::study(const Area& area) {
     show_panel(session_, tabs[static_cast<std::size_t>(tab)].key);
   }
   if (tab_row("bottom", tabs, brief, tab)) show_panel(session_, tabs[static_cast<std::size_t>(tab)].key);
-  if (tool(panel(session_.document().layout.bottom_tab), false)) fill_window(session_, "bottom");
+  if (tool(panel(session_.document().layout.bottom_tab), {})) fill_window(session_, "bottom");
   ImGui::EndChild();
   pictures({{area.max.x - width, area.min.y}, area.max}, 0, PictureCaptions::full);
 }
@@ -369,7 +437,8 @@ void Regions::drawer(const Area& area) {
   drawer_tabs(session_, panels_, my_.drawer);
   if (open) {
     const bool filled = session_.document().layout.filled == "bottom";
-    if (tool(panel(session_.document().layout.bottom_tab), filled)) fill_window(session_, filled ? "" : "bottom");
+    if (tool(panel(session_.document().layout.bottom_tab), {.filled = filled}))
+      fill_window(session_, filled ? "" : "bottom");
   }
   ImGui::EndChild();
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gui/frame/panel_table.h"
@@ -31,11 +32,16 @@ class Regions {
   void left(const Area& area);
   void right(const Area& area, bool open);
   void drawer(const Area& area);
-  bool tool(const Panel& panel, bool filled);
+  bool tool(const Panel& panel, const Context& context);
   void stage(const Area& area, bool folded);
   void question(const Area& area, bool pending);
   Area above_question(const Area& area);
   void lesson_text(const Area& area);
+  void titled_text(const Area& area, const std::string& title);
+  void column(const Area& area);
+  bool column_head();
+  void fill_with_stage();
+  void choose_stage(float width, std::string_view shown);
   void pictures(const Area& area, double least_share, PictureCaptions captions);
   Area first_look(const Area& area);
   /// A region with its heading, and the panel in it. `region` is its name in the document's layout.

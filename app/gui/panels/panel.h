@@ -19,6 +19,7 @@ struct PanelHost {
 /// With what a panel is drawn.
 struct Context {
   bool filled = false;  ///< the panel has the window for itself
+  bool headed = false;  ///< what its `head` draws is in the line above it
 };
 
 /// What a tool needs to be of use: a strip below the pictures, or the height of one of them.
@@ -46,6 +47,9 @@ struct Panel {
   std::string_view help;            ///< one sentence
   /// Answers whether the panel shall fill the window, or no longer.
   std::function<bool(const Context&)> draw;
+  /// What of its controls has room in the line of its name, where the panel needs all of the height below; answers
+  /// like `draw`.
+  std::function<bool()> head = {};
   std::function<void(Actions&)> actions = {};
   std::function<void(Values&)> publish = {};
   std::function<void()> update = {};         ///< once a frame, shown or not, in any order

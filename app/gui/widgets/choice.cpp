@@ -167,12 +167,13 @@ bool choice(std::string_view name, std::span<const Choice> choices, int& index, 
 
 bool tab_row(std::string_view name, std::span<const Choice> tabs, int& index) { return tab_row(name, tabs, {}, index); }
 
-bool tab_row(std::string_view name, std::span<const Choice> tabs, std::span<const std::string_view> brief, int& index) {
+bool tab_row(std::string_view name, std::span<const Choice> tabs, std::span<const std::string_view> brief, int& index,
+             float reserved) {
   const Palette& p = palette();
   bool changed = false;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec2 start = ImGui::GetCursorScreenPos();
-  const float room = ImGui::GetContentRegionAvail().x;
+  const float whole = ImGui::GetContentRegionAvail().x, room = whole - reserved;
   bool shortened = false;
   const auto label = [&](std::size_t i) { return shortened ? brief[i] : tabs[i].label; };
   const auto row_width = [&](float between) {
@@ -217,7 +218,7 @@ bool tab_row(std::string_view name, std::span<const Choice> tabs, std::span<cons
   ImGui::PopStyleVar();
   ImGui::EndGroup();
   const float bottom = ImGui::GetItemRectMax().y - 0.5f;
-  draw.AddLine({start.x, bottom}, {start.x + room, bottom}, colour_u32(p.line));
+  draw.AddLine({start.x, bottom}, {start.x + whole, bottom}, colour_u32(p.line));
   const auto chosen = static_cast<std::size_t>(std::clamp<int>(index, 0, static_cast<int>(tabs.size()) - 1));
   controls().record(name, std::string(tabs[chosen].key));
   return changed;

@@ -25,6 +25,16 @@ void add_lesson_actions(Actions& actions, Session& session, LessonShelf& shelf) 
   add(
       "lesson-read-back", "Read back, then the previous step", "PageUp",
       [&session, &shelf] { read_lesson(session, shelf, -1); }, in_lesson);
+  actions.add({.name = "text-or-tool",
+               .label = "The step's text or its tool, where they share a place",
+               .group = "Lesson",
+               .keys = "V",
+               .run =
+                   [&shelf] {
+                     const bool tool = shelf.column.shows == ColumnShows::tool;
+                     shelf.column.shows = tool ? ColumnShows::text : ColumnShows::tool;
+                   },
+               .enabled = [&shelf] { return shelf.column.shared; }});
   actions.add({.name = "blank",
                .label = "Blank the presenter's screen",
                .group = "Lesson",

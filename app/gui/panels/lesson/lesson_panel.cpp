@@ -235,7 +235,8 @@ float small_width(const std::string& text) {
 }
 
 /// Back, Next and the rest, and where one is.
-void buttons(Session& session, const Lesson& lesson, int index, const ReadPage& read) {
+void buttons(Session& session, LessonShelf& shelf, const Lesson& lesson, int index) {
+  const ReadPage& read = shelf.text;
   const int count = static_cast<int>(lesson.steps.size());
   const float space = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x;
   const std::vector<std::string> places = place_texts(index, count, read);
@@ -253,8 +254,10 @@ void buttons(Session& session, const Lesson& lesson, int index, const ReadPage& 
     target = index + 1;
   ImGui::SameLine();
   if (button("again", narrow ? "↺" : "Again", Emphasis::quiet,
-             {.tooltip = "Puts this step's settings back.", .disabled = {}}))
+             {.tooltip = "Puts this step's settings back.", .disabled = {}})) {
     go_to_step(session, lesson.name, index);
+    shelf.column.step = -1;  // begins with its text
+  }
   ImGui::SameLine();
   const bool close = button("close", "×", Emphasis::quiet, {.tooltip = "Closes the lesson.", .disabled = {}});
   ImGui::SameLine(0, px(6));
@@ -290,7 +293,7 @@ void lesson_panel(Session& session, LessonShelf& shelf) {
   draw_page(session, shelf, lines, own.measured);
   ImGui::EndChild();
   note_read(shelf, *lesson, index, shelf.text);
-  buttons(session, *lesson, index, shelf.text);
+  buttons(session, shelf, *lesson, index);
 }
 
 }  // namespace ps::gui

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -34,6 +35,18 @@ struct ReadPage {
   int step = 0;
 };
 
+/// Which of the two is shown where a step's text and its tool have one place.
+enum class ColumnShows { text, tool };
+
+/// That place. A new step shows its text first.
+struct LessonColumn {
+  ColumnShows shows = ColumnShows::text;
+  bool shared = false;  ///< the window has one place for both, as it was drawn last
+  std::string lesson, stage;
+  int step = -1;
+  std::uint64_t change = 0;  ///< of the session, like the step and its stage when they were looked at last
+};
+
 /// A new step begins on its first page, or on its last one where the page before was asked for.
 void follow_step(const Session& session, ReadPage& read);
 
@@ -61,6 +74,7 @@ class LessonShelf {
   int version() const { return version_; }
   LessonClaims claims;  ///< of the open step
   ReadPage text, caption;
+  LessonColumn column;
   bool holds_back = false;             ///< a question is open: hints and claims come after its answer
   std::optional<StepVerdict> verdict;  ///< it was answered
   bool turn_to_verdict = false;        ///< the page with it is to be shown, once
@@ -87,8 +101,11 @@ class LessonShelf {
 void go_to_step(Session& session, const std::string& lesson, int step);
 /// One step on or back in the open lesson; at its ends nothing happens.
 void move_step(Session& session, LessonShelf& shelf, int by);
+/// Once per frame: a new step, the verdict on an answer and an option that is pointed at are looked at in the text, a
+/// tool that was chosen is shown.
+void follow_column(const Session& session, LessonShelf& shelf);
 /// One page on or back in the step's text, as it is shown; behind the last one the next step begins, before the first
-/// one the previous step.
+/// one the previous step. A tool in the text's place comes behind the last page.
 void read_lesson(Session& session, LessonShelf& shelf, int by);
 /// The lesson before or after the open one, from its first step; the first lesson if none is open.
 void move_lesson(Session& session, int by);

@@ -78,8 +78,30 @@ void follow_step(const Session& session, ReadPage& read) {
   read.step = document.step;
 }
 
+void follow_column(const Session& session, LessonShelf& shelf) {
+  const Document& document = session.document();
+  LessonColumn& column = shelf.column;
+  const bool same_step = column.lesson == document.lesson && column.step == document.step;
+  // Undo, and a step that is put back, have a stage too, but nobody chose it.
+  const bool chosen = column.stage != document.layout.stage && column.change == session.change();
+  if (!same_step || shelf.turn_to_verdict || !shelf.shown_option.empty())
+    column.shows = ColumnShows::text;
+  else if (chosen)
+    column.shows = ColumnShows::tool;
+  column.lesson = document.lesson;
+  column.step = document.step;
+  column.stage = document.layout.stage;
+  column.change = session.change();
+}
+
 void read_lesson(Session& session, LessonShelf& shelf, int by) {
   ReadPage& read = session.document().mode == ScreenMode::presenter ? shelf.caption : shelf.text;
+  const bool tool = shelf.column.shared && shelf.column.shows == ColumnShows::tool;
+  const bool last = read.page + 1 >= read.pages;
+  if (shelf.column.shared && (by < 0 ? tool : !tool && last)) {
+    shelf.column.shows = tool ? ColumnShows::text : ColumnShows::tool;
+    return;
+  }
   const bool in_sight = read.frame + 1 >= ImGui::GetFrameCount();
   const int page = read.page + by;
   if (in_sight && page >= 0 && page < read.pages) {

@@ -7,6 +7,7 @@
 
 #include "gui/base/values.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/redraw.h"
 #include "gui/widgets/shorten.h"
 #include "gui/widgets/widgets.h"
 
@@ -89,7 +90,8 @@ std::string code_lines(const std::string& text, std::size_t signs) {
     if (cut == std::string::npos || cut <= content) cut = rest.find(' ', content);
     if (cut == std::string::npos) break;
     lines.append(rest, 0, cut).push_back('\n');
-    rest.replace(0, cut + 1, indent);
+    const std::size_t word = std::min(rest.find(' ', cut + 1), rest.size()) - cut - 1;
+    rest.replace(0, cut + 1, indent, 0, signs - std::min(word, signs));  // a long word has less in front of it
   }
   return lines + rest;
 }
@@ -163,6 +165,64 @@ Face code_face(const std::vector<ListingRow>& rows, float room) {
   return wanted <= room ? Face::mono : Face::mono_small;
 }
 
+/// Where the routine begins that has this line, with the remarks above it: what is not indented, and ends nothing.
+std::size_t routine_of(const std::vector<ListingRow>& rows, std::size_t row) {
+  const auto begins = [&](const std::string& text) { return !text.empty() && text[0] != ' ' && text[0] != '}'; };
+  std::size_t head = row;
+  while (head > 0 && !begins(rows[head].text)) --head;
+  while (head > 0 && rows[head - 1].text.starts_with("//")) --head;
+  return head;
+}
+
+/// The line where a routine of this name begins, with the remarks above it.
+std::optional<std::size_t> routine_named(const std::vector<ListingRow>& rows, const std::string& name) {
+  if (name.empty()) return {};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::string& text = rows[i].text;
+    if (!text.empty() && text[0] != ' ' && text[0] != '/' && text.find(' ' + name + '(') != std::string::npos)
+      return routine_of(rows, i);
+  }
+  return {};
+}
+
+/// Above the line that is looked for, part of the height; the head of its routine may take more.
+constexpr float above_line = 0.15f, most_above_line = 0.6f;
+
+/// Heights in the window's content.
+struct LookedFor {
+  float line = 0;
+  float head = 0;                ///< where its routine begins
+  std::optional<float> routine;  ///< where the one begins that is to be seen first
+};
+
+/// Scrolls so that the line, and if they fit those from the head of its routine on, are in sight.
+void scroll_to(const LookedFor& places) {
+  const float height = ImGui::GetWindowHeight();
+  float top = places.line - above_line * height;
+  if (places.line - places.head < most_above_line * height) top = std::min(top, places.head);
+  // One that begins in the upper part is seen as well.
+  if (places.routine && (*places.routine < top || *places.routine > top + most_above_line * height / 2))
+    top = *places.routine;
+  ImGui::SetScrollY(std::max(0.0f, top));
+}
+
+/// Whether to scroll to the line that is looked for: in two frames from when that was asked for, as lines may break
+/// elsewhere once the bar to scroll with is there.
+bool keeps_revealing(bool asked) {
+  int& frames = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("reveal"));
+  if (asked) frames = 2;
+  if (frames == 0) return false;
+  if (--frames > 0) redraw_after(0);
+  return true;
+}
+
+/// Between lines: nothing where that makes a screenful of them.
+float line_spacing() {
+  constexpr float screenful = 24;
+  const float line = ImGui::GetTextLineHeight(), height = ImGui::GetWindowHeight(), usual = px(1);
+  return height >= screenful * line && height < screenful * (line + usual) ? 0 : usual;
+}
+
 }  // namespace
 
 std::optional<ListingStep> listing_code(const std::vector<ListingRow>& rows, bool reveal, const LineMarks& marks) {
@@ -174,18 +234,30 @@ std::optional<ListingStep> listing_code(const std::vector<ListingRow>& rows, boo
   ImGui::BeginChild("code");
   {
     const FontScope font(code_face(rows, ImGui::GetContentRegionAvail().x));
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(4), px(1)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(4), line_spacing()});
+    const bool reveals = keeps_revealing(reveal);
     gui::values().publish("listing/lines",
                           static_cast<int>(ImGui::GetWindowHeight() / ImGui::GetTextLineHeightWithSpacing()));
     const ListingColumns columns = columns_for(rows, ImGui::GetContentRegionAvail().x);
+    const auto target = static_cast<std::size_t>(first - rows.begin());
+    const std::size_t head =
+        marks.marked || !marks.faults.empty() || first == rows.end() ? target : routine_of(rows, target);
+    const auto named = marks.marked ? std::nullopt : routine_named(rows, marks.routine);
+    LookedFor places;
+    int first_seen = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (reveal && first != rows.end() && i == static_cast<std::size_t>(first - rows.begin()))
-        ImGui::SetScrollHereY(0.15f);
+      const float at = ImGui::GetCursorPosY();
+      if (first_seen == 0 && at + px(2) >= ImGui::GetScrollY()) first_seen = rows[i].number;
+      if (i == head) places.head = at;
+      if (i == target) places.line = at;
+      if (named == i) places.routine = at;
       if (const int by = draw_row(rows[i], i, columns, marks); by != 0) step = ListingStep{i, by};
       if (marks.marked && rows[i].number == marks.marked->number) right_version(*marks.marked, columns.code);
       if (const auto fault = marks.faults.find(rows[i].number); fault != marks.faults.end() && !rows[i].text.empty())
         line_fault(fault->first, fault->second, columns.code);
     }
+    if (reveals && (first != rows.end() || named)) scroll_to(places);
+    gui::values().publish("listing/first-line", first_seen);
     ImGui::PopStyleVar();
   }
   ImGui::EndChild();

@@ -14,7 +14,8 @@ struct ListingStep {
 };
 
 /// Lines of code with the values beside them, or below where there is no room, in all the room that is left. `reveal`:
-/// scrolls to the marked line, else to the first one that has values.
+/// scrolls to the marked line, else to the first one that has values, with the head of its routine in sight where both
+/// fit.
 std::optional<ListingStep> listing_code(const std::vector<ListingRow>& rows, bool reveal, const LineMarks& marks = {});
 
 }  // namespace ps::gui

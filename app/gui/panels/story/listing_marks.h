@@ -9,12 +9,13 @@
 
 namespace ps::gui {
 
-/// What a question for the wrong line of a listing needs of its lines.
+/// What a question for the wrong line of a listing, or a step that asks for a routine, needs of its lines.
 struct LineMarks {
   int* answer = nullptr;          ///< where a clicked line's number goes while the question is open; it may be null
   std::optional<BugLine> marked;  ///< the wrong line, once that may be shown
   std::map<int, std::string> faults{};  ///< what a compiler says of lines, by their numbers
   std::string elsewhere{};              ///< what it says of no line that is shown
+  std::string routine{};                ///< name of the one to look at first; empty = that of the first values
 };
 
 /// The ground of a line: a click on it answers the open question. Leaves the cursor where it was.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 #include <utility>
 
 #include "gui/base/values.h"
@@ -17,7 +18,8 @@
 namespace ps::gui {
 namespace {
 
-constexpr double choice_width = 250, code_width = 190;
+constexpr double choice_width = 250, code_width = 190, menu_width = 430;
+constexpr std::array<std::string_view, 5> menu_controls{"which", "picture", "copy", "open", "colour"};
 
 /// The listing that is shown: the one that the option names, else the open lesson's, else what suits the scene.
 Settings listing_settings(const Session& session, Side side) {
@@ -82,7 +84,20 @@ const NamedListing* copied_from(const ListingPanelState& state) {
   return nullptr;
 }
 
-bool toolbar(Session& session, ListingPanelState& state, Side side, bool filled, const PanelHost& host) {
+/// The routine of this listing that the open step asks to write; empty if it asks for none.
+std::string asked_routine(const ListingPanelState& state) {
+  const NamedListing* listing = copied_from(state);
+  return listing && state.own.task.lesson == listing->folder ? state.own.task.routine : "";
+}
+
+/// Whose picture and pixel the listing is about: a question about a wrong line is one about that of A, and the listing
+/// of B is the answer.
+Side listed_side(const Session& session, const ListingPanelState& state) {
+  return state.marks.answer ? Side::a : inspected_side(session);
+}
+
+/// Which routine is shown, its picture, and copies of it.
+void routine_controls(Session& session, ListingPanelState& state, Side side, const PanelHost& host) {
   const Option* option = find_option("listing");
   int index = session.settings(side).listing;
   if (drop_down("which", option->choices, index, px(choice_width),
@@ -105,18 +120,46 @@ bool toolbar(Session& session, ListingPanelState& state, Side side, bool filled,
     session.set_settings(side, settings, fmt::format("{}: {}", letter_of(side), renderer_label(settings.renderer)));
   }
   own_listing_buttons(session, state.own, state.marks.answer ? nullptr : copied_from(state), host.ask_file);
+}
+
+/// The pixel's colour by the listing, and in the picture.
+std::string colours_text(const Session& session, const ListingPanelState& state, Side side) {
+  if (!state.shown_story) return {};
+  const std::string source(state.shown_story->listing ? state.shown_story->listing->listing.listing->source : "");
+  std::string colours = fmt::format("{} gives {}", source, levels_text(state.shown_story->display));
+  if (const auto story = session.story(side); story && !runs_listing(session.settings(side).renderer))
+    colours += fmt::format(", {} has {}", letter_of(side), levels_text(story->display));
+  return colours;
+}
+
+void colours_line(const std::string& colours) {
+  const FontScope font(Face::mono);
+  value_paragraph("colour", colours);
+  tooltip("The pixel's colour by this listing, and in the picture: red, green and blue, 0 to 255.");
+}
+
+bool toolbar(Session& session, ListingPanelState& state, Side side, bool filled, const PanelHost& host) {
+  routine_controls(session, state, side, host);
   const bool fill = fill_button(filled);
-  if (state.shown_story) {
-    const std::string source(state.shown_story->listing ? state.shown_story->listing->listing.listing->source : "");
-    std::string colours = fmt::format("{} gives {}", source, levels_text(state.shown_story->display));
-    if (const auto story = session.story(side); story && !shown)
-      colours += fmt::format(", {} has {}", letter_of(side), levels_text(story->display));
+  if (const std::string colours = colours_text(session, state, side); !colours.empty()) {
     same_line_if_room(text_width(colours), px(16));
-    const FontScope font(Face::mono);
-    value_paragraph("colour", colours);
-    tooltip("The pixel's colour by this listing, and in the picture: red, green and blue, 0 to 255.");
+    colours_line(colours);
   }
   return fill;
+}
+
+/// Whether the panel shows a lesson's routine, and not shaders or a file of one's own.
+bool shows_routine(const Session& session, const ListingPanelState& state) {
+  if (!session.has_scene() || !session.pixel() || !state.own.asked.empty()) return false;
+  if (state.own.file && !state.marks.answer) return false;
+  return state.code == ListingPanelState::Code::routine || !has_shaders(session.settings(listed_side(session, state)));
+}
+
+/// A script looks for a control of the menu that listing_head() has.
+bool wanted_from_menu() {
+  const std::string_view wanted = controls().revealing();
+  return std::any_of(menu_controls.begin(), menu_controls.end(),
+                     [&](std::string_view name) { return wanted.starts_with(full_name(name)); });
 }
 
 }  // namespace
@@ -127,7 +170,29 @@ void update_listing(Session& session, ListingPanelState& state) {
   update_own_listing(session, state.own);
 }
 
-bool listing_panel(Session& session, ListingPanelState& state, bool filled, const PanelHost& host) {
+bool listing_head(Session& session, ListingPanelState& state, const PanelHost& host) {
+  const NameScope scope("listing");
+  if (!shows_routine(session, state)) return false;
+  const bool writes = !asked_routine(state).empty();
+  if (button("more", "More", writes ? Emphasis::primary : Emphasis::quiet,
+             {.tooltip = writes ? "Write the routine that the step asks for, or choose another one."
+                                : "Another routine, its picture, and copies of it."}) ||
+      wanted_from_menu())
+    ImGui::OpenPopup("listing-more");
+  const ImVec2 corner{ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + px(2)};
+  ImGui::SetNextWindowPos(corner);
+  ImGui::SetNextWindowSizeConstraints({px(menu_width), 0}, {px(menu_width), px(menu_width)});
+  if (ImGui::BeginPopup("listing-more")) {
+    const Side side = listed_side(session, state);
+    routine_controls(session, state, side, host);
+    if (const std::string colours = colours_text(session, state, side); !colours.empty()) colours_line(colours);
+    ImGui::EndPopup();
+  }
+  return fill_button(false);
+}
+
+bool listing_panel(Session& session, ListingPanelState& state, const Context& context, const PanelHost& host) {
+  const bool filled = context.filled;
   const NameScope scope("listing");
   if (!session.has_scene()) return false;
   if (own_listing_question(session, state.own)) return false;
@@ -138,8 +203,7 @@ bool listing_panel(Session& session, ListingPanelState& state, bool filled, cons
     own_listing_view(session, state.own);
     return fill;
   }
-  // A question about a wrong line is one about the listing of A; that of B is the answer.
-  const Side side = state.marks.answer ? Side::a : inspected_side(session);
+  const Side side = listed_side(session, state);
   const auto pixel = session.pixel();
   if (!pixel) {
     state.worker.clear();
@@ -162,7 +226,7 @@ bool listing_panel(Session& session, ListingPanelState& state, bool filled, cons
   request.pixel = *pixel;
   state.worker.request(request);
   take_up(state, state.worker.story(), session.document().story.listing_instance);
-  const bool fill = toolbar(session, state, side, filled, host);
+  const bool fill = !context.headed && toolbar(session, state, side, filled, host);
   if (!state.error.empty()) quiet_text(state.error);
   if (!state.view) {
     if (const auto message = state.worker.message(); !message.empty()) quiet_text(message);
@@ -170,8 +234,9 @@ bool listing_panel(Session& session, ListingPanelState& state, bool filled, cons
   }
   if (state.shown_story->listing->watches.empty())
     quiet_text("No line of this routine reached the pixel: it draws nothing here.");
-  ImGui::Spacing();
-  const LineMarks marks = side == Side::a ? state.marks : LineMarks{};
+  if (!context.headed) ImGui::Spacing();
+  LineMarks marks = side == Side::a ? state.marks : LineMarks{};
+  marks.routine = asked_routine(state);
   const auto stepped = listing_code(state.rows, std::exchange(state.reveal, false), marks);
   if (stepped) {
     state.view->step(stepped->row, stepped->by);

@@ -38,8 +38,12 @@ struct ListingPanelState {
 /// Takes up the values that have come; once a frame.
 void update_listing(Session& session, ListingPanelState& state);
 
-/// A lesson's routine with the values that its lines had for the picked pixel, or the shaders that drew it. `filled`:
-/// it has the whole window; answers whether that shall change.
-bool listing_panel(Session& session, ListingPanelState& state, bool filled, const PanelHost& host);
+/// A lesson's routine with the values that its lines had for the picked pixel, or the shaders that drew it. Answers
+/// whether it shall fill the window, or no longer.
+bool listing_panel(Session& session, ListingPanelState& state, const Context& context, const PanelHost& host);
+
+/// The panel's controls as buttons in one line, the rarer ones in a menu, so that the code has all of the height below.
+/// Nothing where shaders or one's own file are shown, which have more to choose. Answers like listing_panel().
+bool listing_head(Session& session, ListingPanelState& state, const PanelHost& host);
 
 }  // namespace ps::gui

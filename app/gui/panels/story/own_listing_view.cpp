@@ -81,6 +81,22 @@ std::string state_text(const Session& session, const OwnListingState& state) {
   return verdict_text(outcome.wrong, outcome.size.x, outcome.size.y);
 }
 
+/// A path in lines, which end behind a "/" or "_" where the room ends: it has no blanks to break at.
+void path_text(std::string_view name, const std::string& path) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  std::string lines, line;
+  for (std::size_t from = 0; from < path.size();) {
+    const std::size_t mark = path.find_first_of("/_", from);
+    const std::string part = path.substr(from, mark == std::string::npos ? mark : mark + 1 - from);
+    from += part.size();
+    if (!line.empty() && text_width(line + part) > width) lines += std::exchange(line, {}) + '\n';
+    line += part;
+  }
+  lines += line;
+  ImGui::TextUnformatted(lines.c_str());
+  controls().record(name, path);
+}
+
 void file_row(Session& session, OwnListingState& state) {
   const bool busy = state.worker.busy();
   if (button("stop", "Stop", Emphasis::plain,
@@ -111,8 +127,8 @@ void file_row(Session& session, OwnListingState& state) {
   }
   const std::filesystem::path& file = state.file->file();
   const FontScope font(Face::mono_small);
-  value_paragraph("file", file.filename().string());
-  value_paragraph("folder", "in " + file.parent_path().string());
+  path_text("file", file.filename().string());
+  path_text("folder", "in " + file.parent_path().string());
   tooltip("Edit this file with any editor. It is compiled and run each time that you save it.");
 }
 
@@ -204,6 +220,7 @@ void own_listing_view(Session& session, OwnListingState& state) {
   value_paragraph("state", state_text(session, state));
   if (!state.taken) return;
   LineMarks marks;
+  marks.routine = state.task.routine;
   for (const CompilerMessage& message : state.taken->compilation.messages) {
     const int line = shown_line(state, message.line);
     std::string& text = line > 0 ? marks.faults[line] : marks.elsewhere;

@@ -20,13 +20,19 @@ std::string prefix(Side side) { return side == Side::a ? "a" : "b"; }
 
 ImVec2 line_square() { return {ImGui::GetTextLineHeight(), ImGui::GetTextLineHeight()}; }
 
+/// For numbers: small print where they would be cut otherwise.
+Face fitting_face(const std::string& text) {
+  const FontScope font(Face::mono);
+  return ImGui::CalcTextSize(text.c_str()).x <= ImGui::GetContentRegionAvail().x ? Face::mono : Face::mono_small;
+}
+
 /// The pixel in both ways of counting, with the colours it has in A and B.
 void place(Session& session, Vec2i pixel) {
   const View view = session.view();
   const Vec2i book = book_pixel(pixel.x, pixel.y, view.width, view.height);
-  const FontScope font(Face::mono);
   const std::string array = fmt::format("array ({}, {})", pixel.x, pixel.y);
   const std::string of_book = fmt::format("book ({}, {})", book.x, book.y);
+  const FontScope font(fitting_face(array + "\n" + of_book));
   const bool one_line = ImGui::CalcTextSize((array + "   " + of_book).c_str()).x <= ImGui::GetContentRegionAvail().x;
   value_text("pixel", array + (one_line ? "   " : "\n") + of_book);
   tooltip("array: column and row from the top left.\nbook: x to the right and y upwards from the centre.");

@@ -1,0 +1,68 @@
+// Where type is so large that a step's text, its tool and pictures with their share do not fit, text and tool share one
+// place: how one comes to the other, with the keyboard, by reading on and by a link, and what a new step shows.
+#include <gtest/gtest.h>
+
+#include "gui/program.h"
+#include "support/golden.h"
+
+namespace lesson_column_test {
+namespace {
+
+void expect_plays(const std::string& name, const std::string& commands, const std::string& arguments) {
+  const auto run = ps::test::play("wait idle\n" + commands + "quit\n", ps::fresh_output_folder("gui-column-" + name),
+                                  "1024x768", arguments);
+  EXPECT_EQ(run.status, 0) << run.errors;
+}
+
+const std::string large = "--scale 1.5 --lesson ";
+const std::string fits = "wait frames 4\nexpect window/cut \"\"\nexpect window/overlap \"\"\n";
+
+TEST(LessonColumn, AKeyAndTabsChooseAndANewStepShowsItsText) {
+  const std::string text = "wait frames 4\nexpect lesson/column text\nexpect column text\n",
+                    tool = "wait frames 4\nexpect lesson/column tool\nexpect column tool\n";
+  expect_plays("keys",
+               text + fits + "key V\n" + tool + fits + "key V\n" + text + "click column/tool\n" + tool +
+                   // Not a step of the history: what is undone is the step.
+                   "key Shift+PageDown\nwait idle\n" + text + "key V\n" + tool + "key Ctrl+Z\nwait idle\n" + text +
+                   // An answer's verdict is in the text.
+                   "key Shift+PageDown\nwait idle\nclick column/tool\n" + tool + "click listing/line-36/pick\n" + fits +
+                   "click question/answer\nwait idle\n" + text + "expect lesson/ask-again contains again\n" + fits,
+               large + "cgfs_02_basic_ray_tracing/9");
+}
+
+TEST(LessonColumn, ReadingOnComesToTheToolBehindTheLastPage) {
+  std::string pages;
+  expect_plays(
+      "reading",
+      "click question/skip\nwait frames 6\nexpect lesson/pages 2\nexpect lesson/page 1\nkey PageDown\nwait frames "
+      "4\nexpect lesson/page 2\nexpect lesson/column text\nkey PageDown\nwait frames 4\nexpect lesson/column "
+      "tool\nkey PageUp\nwait frames 4\nexpect lesson/column text\nexpect lesson/page 2\nkey PageDown\nwait "
+      "frames 4\nexpect lesson/column tool\nexpect step 2\nkey PageDown\nwait frames 4\nexpect "
+      "step 3\nexpect lesson/column text\n",
+      large + "study_speed_and_accuracy/2");
+}
+
+TEST(LessonColumn, AToolThatIsChosenIsShown) {
+  expect_plays("chosen",
+               "click question/skip\nwait frames 6\nchoose stage needs\nwait frames 4\nexpect lesson/column tool\n" +
+                   fits +
+                   // What belongs to the text is looked for there, what belongs to the tool is looked for here.
+                   "click lesson/again\nwait frames 6\nexpect lesson/column text\nexpect stage chart\n"
+                   "click chart/change\nwait frames 4\nexpect lesson/column tool\nkey Esc\n",
+               large + "study_speed_and_accuracy/2");
+}
+
+TEST(LessonColumn, TheListingsMenuHasWhatIsAboveTheCodeElsewhere) {
+  expect_plays("menu",
+               "key V\nwait idle\nclick listing/copy\nwait frames 6\nexpect own/open on\n" + fits +
+                   "click listing/own/close\nwait idle\nexpect own/open off\nclick listing/picture\nwait idle\n" + fits,
+               large + "cgfs_02_basic_ray_tracing/7");
+}
+
+TEST(LessonColumn, IsNotThereWhereAllHasRoom) {
+  expect_plays("room", "expect lesson/column both\nexpect window/pictures-share > 30\n",
+               "--lesson cgfs_02_basic_ray_tracing/7");
+}
+
+}  // namespace
+}  // namespace lesson_column_test
