@@ -1,5 +1,5 @@
-// Where type is so large that a step's text, its tool and pictures with their share do not fit, text and tool share one
-// place: how one comes to the other, with the keyboard, by reading on and by a link, and what a new step shows.
+// Where a step's text, its tool and pictures with their share do not fit, text and tool share one place: how one comes
+// to the other, with the keyboard, by reading on and by a link, and what a new step shows.
 #include <gtest/gtest.h>
 
 #include "gui/program.h"
@@ -8,9 +8,10 @@
 namespace lesson_column_test {
 namespace {
 
-void expect_plays(const std::string& name, const std::string& commands, const std::string& arguments) {
+void expect_plays(const std::string& name, const std::string& commands, const std::string& arguments,
+                  const std::string& size = "1024x768") {
   const auto run = ps::test::play("wait idle\n" + commands + "quit\n", ps::fresh_output_folder("gui-column-" + name),
-                                  "1024x768", arguments);
+                                  size, arguments);
   EXPECT_EQ(run.status, 0) << run.errors;
 }
 
@@ -61,7 +62,7 @@ TEST(LessonColumn, TheListingsMenuHasWhatIsAboveTheCodeElsewhere) {
 
 TEST(LessonColumn, IsNotThereWhereAllHasRoom) {
   expect_plays("room", "expect lesson/column both\nexpect window/pictures-share > 30\n",
-               "--lesson cgfs_02_basic_ray_tracing/7");
+               "--lesson cgfs_02_basic_ray_tracing/7", "1366x768");
 }
 
 }  // namespace

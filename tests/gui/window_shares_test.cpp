@@ -84,8 +84,8 @@ TEST_P(TallTool, HasItsRoomBesideThePicture) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Screens, TallTool,
-                         testing::Values(Screen{"1366x768", "1"}, Screen{"1024x768", "1.5"}, Screen{"1366x768", "1.5"},
-                                         Screen{"1920x1080", "1.5"}),
+                         testing::Values(Screen{"1024x768", "1"}, Screen{"1366x768", "1"}, Screen{"1024x768", "1.5"},
+                                         Screen{"1366x768", "1.5"}, Screen{"1920x1080", "1.5"}),
                          name_of);
 
 /// The step compares in one picture with a divider, beside a chart. The largest arrangement has to win.

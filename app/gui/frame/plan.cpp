@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace ps::gui {
 namespace {
@@ -12,13 +11,8 @@ constexpr float least_text = 400;      // at scale 1; below it one picture takes
 constexpr float narrowest_text = 290;  // at scale 1
 constexpr float least_stage = 4.2f;    // headlines; a lower stage would show no line of its tool
 constexpr double spare = 0.001;        // of the window: what rounding may take of the pictures' share
-// Of the width, where a tool stands beside one picture; where there is little, the tool needs more of it.
-constexpr float beside_text = 0.315f, beside_stage = 0.32f, little_text = 0.29f, little_stage = 0.42f;
-constexpr float little_width = 900;    // at scale 1
-constexpr float least_shared = 0.34f;  // of the width, for text and tool in one place
-// In a window narrower and at least so high, at scale 1, the text stands over the tool and takes this part of the
-// height, a long text a larger one.
-constexpr float narrow_width = 1200, enough_height = 560, text_over_tool = 0.4f, long_text_over_tool = 0.59f;
+constexpr float beside_text = 0.315f, beside_stage = 0.32f;  // of the width, where a tool stands beside one picture
+constexpr float least_shared = 0.34f;                        // of the width, for text and tool in one place
 
 struct Size {
   float width = 0, height = 0;
@@ -75,9 +69,8 @@ LessonPlan plan_shared(const PlanInput& in) {
 LessonPlan plan_beside(const PlanInput& in) {
   const Area& area = in.area;
   const float between = grip * in.scale;
-  const bool little = area.width() < little_width * in.scale;
-  const float stage_begin = std::round(area.max.x - area.width() * (little ? little_stage : beside_stage));
-  const float most_text = std::min(in.text_width, area.width() * (little ? little_text : beside_text));
+  const float stage_begin = std::round(area.max.x - area.width() * beside_stage);
+  const float most_text = std::min(in.text_width, area.width() * beside_text);
   const float rest = stage_begin - between - area.min.x - room_for(in, 1, beside_share + 5 * spare).width;
   const float text = std::clamp(rest, std::min(narrowest_text * in.scale, most_text), most_text);
   const float text_end = std::floor(area.min.x + text);
@@ -86,31 +79,10 @@ LessonPlan plan_beside(const PlanInput& in) {
           .stage = {{stage_begin, area.min.y}, area.max}};
 }
 
-/// The text over the tool, beside one picture; nothing where both would be too small for that.
-std::optional<LessonPlan> plan_text_over_tool(const PlanInput& in) {
-  const Area& area = in.area;
-  if (area.width() >= narrow_width * in.scale || area.height() < enough_height * in.scale) return {};
-  const Size one = room_for(in, 1, beside_share + 5 * spare);
-  const float text = std::floor(area.width() - one.width);
-  if (text < least_text * in.scale || one.height > area.height()) return {};
-  const float text_end = area.min.x + text, between = grip * in.scale;
-  if (in.question == PlanQuestion::open)
-    return LessonPlan{.text = {area.min, {text_end, area.max.y}},
-                      .pictures = {{text_end, area.min.y}, area.max},
-                      .stage = {{area.min.x, area.max.y}, {text_end, area.max.y}},
-                      .waits = true};
-  const float height = std::clamp(in.text_height, area.height() * text_over_tool, area.height() * long_text_over_tool);
-  const float divide = std::round(area.min.y + height);
-  return LessonPlan{.text = {area.min, {text_end, divide}},
-                    .pictures = {{text_end, area.min.y}, area.max},
-                    .stage = {{area.min.x, divide + between}, {text_end, area.max.y}}};
-}
-
 }  // namespace
 
 LessonPlan plan_lesson(const PlanInput& in, StagePlace stage) {
   if (stage == StagePlace::beside) {
-    if (const auto over = plan_text_over_tool(in)) return *over;
     const LessonPlan beside = plan_beside(in);
     return share_in(in, beside.pictures) >= beside_share ? beside : plan_shared(in);
   }

@@ -3,9 +3,6 @@
 
 namespace ps::gui {
 
-/// Whether below a lesson's text there is an open question that can be answered without the step's tool.
-enum class PlanQuestion { none, open };
-
 /// What a plan is made for. Lengths are in window pixels.
 struct PlanInput {
   Area area;                 ///< that is divided: the window without its menu and status lines
@@ -15,9 +12,7 @@ struct PlanInput {
   float scale = 1;           ///< of the type
   float captions = 0;        ///< height of the lines above and below a picture
   float text_width = 0;      ///< at which a lesson's text reads best
-  float text_height = 0;     ///< with which all of that text fits one page
   float headline = 0;        ///< height of a stage or drawer that is folded to one line
-  PlanQuestion question = PlanQuestion::none;
 };
 
 /// Where the tool has its place that a lesson's step is about.
@@ -27,7 +22,6 @@ enum class StagePlace { none, below, beside };
 struct LessonPlan {
   Area text, pictures, stage;
   bool folded = false;  ///< the stage has room for its headline alone
-  bool waits = false;   ///< the stage has no room until the question is answered
   bool shared = false;  ///< text and stage have one place, for one of them at a time
 };
 
@@ -39,10 +33,8 @@ inline constexpr double lesson_share = 0.35, beside_share = 0.30, explore_share 
 
 /// The text as wide as it reads best, unless the pictures, side by side or as one, would take less than lesson_share of
 /// the window. What height they leave is the stage's below them; beside them it takes the place of one. Beside a tall
-/// tool the text gives way until the pictures have beside_share. In a narrow window it stands over the tool, which
-/// comes only when an open question was answered, and the
-/// text has more of the height if it is long. Where type is so large that text, tool and pictures with beside_share do
-/// not fit, text and tool share one place.
+/// tool the text gives way until the pictures have beside_share. In a narrow window, or with large type, where text,
+/// tool and pictures with that share do not fit, text and tool share one place.
 LessonPlan plan_lesson(const PlanInput& input, StagePlace stage);
 
 /// How the window is divided exploring. `left`, `right` and `bottom` are shares of the area as the document has them,

@@ -170,18 +170,6 @@ void Regions::titled_text(const Area& area, const std::string& title) {
   begin_region(session_, "lesson", text, title);
   panel("lesson").draw({.filled = session_.document().layout.filled == "lesson"});
   ImGui::EndChild();
-  // What is around a page of the text stays as it is when the place grows.
-  const float wanted = area.height() - my_.lessons.text.room + my_.lessons.text.height;
-  if (std::abs(wanted - text_height_) > 1) redraw_after(0);
-  text_height_ = wanted;
-}
-
-/// Clicks, rays and lines of a listing are asked for with the tool in sight.
-PlanQuestion Regions::question_beside_text() const {
-  const LessonQuestions& asked = *my_.predict.lesson;
-  if (!asked.asked_beside_text(session_)) return PlanQuestion::none;
-  const AskKind kind = asked.question()->kind;
-  return kind == AskKind::choice || kind == AskKind::number ? PlanQuestion::open : PlanQuestion::none;
 }
 
 /// The tabs of text and tool, and what belongs to the one that is shown. Answers whether the tool asks for the whole
@@ -234,10 +222,7 @@ void Regions::lesson(const Area& area) {
   const bool one = session_.document().compare != CompareMode::side_by_side || stage_place() == StagePlace::beside;
   const bool small = area.width() < px(1200) || area.height() < px(one ? 850 : 600);
   const PictureCaptions captions = small ? PictureCaptions::brief : PictureCaptions::full;
-  PlanInput input = plan_input(area, captions);
-  input.question = question_beside_text();
-  input.text_height = text_height_;
-  const LessonPlan plan = plan_lesson(input, stage_place());
+  const LessonPlan plan = plan_lesson(plan_input(area, captions), stage_place());
   follow_column(session_, my_.lessons);
   my_.lessons.column.shared = plan.shared && session_.document().layout.panels && my_.lessons.open(session_);
   if (my_.lessons.column.shared)
@@ -248,7 +233,7 @@ void Regions::lesson(const Area& area) {
     pictures({plan.pictures.min, area.max}, lesson_share, captions);
     return;
   }
-  if (stage_place() != StagePlace::none && !plan.waits && !my_.lessons.column.shared) stage(plan.stage, plan.folded);
+  if (stage_place() != StagePlace::none && !my_.lessons.column.shared) stage(plan.stage, plan.folded);
   pictures(plan.pictures, stage_place() == StagePlace::beside ? 1 : lesson_share, captions);
 }
 

@@ -49,7 +49,6 @@ class Regions {
   const Panel& panel(std::string_view name) const { return find_panel(panels_, name); }
   /// The tool of a lesson's stage.
   const Panel& staged() const;
-  PlanQuestion question_beside_text() const;
   StagePlace stage_place() const;
   PlanInput plan_input(const Area& area, PictureCaptions captions) const;
 
@@ -57,7 +56,6 @@ class Regions {
   PanelStates& my_;
   const std::vector<Panel>& panels_;
   float question_height_ = 270;  ///< of a lesson's question with its answers, window pixels
-  float text_height_ = 0;        ///< that all of a lesson's text, with what is around it, needs
   bool offers_first_look_ = false, answered_ = false;
   float lesson_share_ = 0.6f;  ///< of the left region's height, while a lesson is open
 };

@@ -186,9 +186,6 @@ void draw_page(Session& session, LessonShelf& shelf, const std::vector<TextLine>
   read.frame = ImGui::GetFrameCount();
   read.line_length = line_length(lines);
   read.pages = static_cast<int>(starts.size());
-  read.room = ImGui::GetContentRegionAvail().y;
-  read.height = 0;
-  for (const PagePart& part : parts) read.height += part.gap + part.height;
   turn_to_option(lines, starts, shelf);
   turn_to_verdict(lines, starts, shelf);
   read.page = std::clamp(read.page, 0, read.pages - 1);

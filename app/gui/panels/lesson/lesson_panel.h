@@ -30,7 +30,6 @@ struct ReadPage {
   bool turned_back = false;    ///< the previous step was reached from the begin of the one after it
   int frame = -2;              ///< when it was drawn
   double line_length = 0;      ///< characters that a full line holds; of the panel's text alone
-  float height = 0, room = 0;  ///< of the whole text, and of a page, window pixels; of the panel's text alone
   std::string lesson;
   int step = 0;
 };
