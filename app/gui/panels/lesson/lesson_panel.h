@@ -27,9 +27,9 @@ struct StepVerdict {
 /// Which page of a step's text is shown, in its panel or as the presenter's caption.
 struct ReadPage {
   int page = 0, pages = 1;
-  bool turned_back = false;    ///< the previous step was reached from the begin of the one after it
-  int frame = -2;              ///< when it was drawn
-  double line_length = 0;      ///< characters that a full line holds; of the panel's text alone
+  bool turned_back = false;  ///< the previous step was reached from the begin of the one after it
+  int frame = -2;            ///< when it was drawn
+  double line_length = 0;    ///< characters that a full line holds; of the panel's text alone
   std::string lesson;
   int step = 0;
 };
