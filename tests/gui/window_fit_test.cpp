@@ -8,7 +8,9 @@
 
 #include "engine/lesson.h"
 #include "gui/program.h"
+#include "support/environment.h"
 #include "support/golden.h"
+#include "support/run_cli.h"
 
 namespace window_fit_test {
 namespace {
@@ -107,6 +109,14 @@ const std::vector<OpenMenu>& menus() {
                                          {"study", {}},
                                          {"help", {}}};
   return all;
+}
+
+// What a person sees at the very first start, which offers a lesson above the options.
+TEST_P(WindowFit, TheOfferOfTheFirstStartIsSeenWhole) {
+  const ps::test::ScratchFolder state;  // in which nothing is remembered yet
+  const ps::test::Variable home("XDG_STATE_HOME", state.path().string());
+  const std::string look = "print window/cut\nprint window/overlap\nprint window/pictures-share\n";
+  expect_all_fits("wait idle\nexpect first-look/offered on\n" + look + "quit\n", {{"first start"}}, GetParam(), "");
 }
 
 // A menu that is longer than the window would scroll, without a sign that there is more.

@@ -361,7 +361,7 @@ void Regions::study(const Area& area) {
 /// At the first start, until it is answered. Returns what room is left.
 Area Regions::first_look(const Area& area) {
   if (!offers_first_look_ || !session_.document().lesson.empty()) return area;
-  const float bottom = area.min.y + first_look_height();
+  const float bottom = area.min.y + first_look_height(area.width() - px(16));
   begin_region(session_, "first-look", {area.min, {area.max.x, bottom}}, "NEW HERE?");
   const FirstLookAnswer answer = first_look_offer();
   ImGui::EndChild();

@@ -94,7 +94,9 @@ void commands(Session& session) {
 
 void header(Session& session, OptionsPanelState& state) {
   const float room = ImGui::GetContentRegionAvail().x, more = button_width("…"), between = px(4);
-  if (search_box("search", state.search, "Find an option", {.width = room - more - between})) state.pointed = nullptr;
+  const float field = room - more - between, lens = px(52);  // with the field's margins
+  const std::string_view hint = text_width("Find an option") + lens <= field ? "Find an option" : "Find";
+  if (search_box("search", state.search, hint, {.width = field})) state.pointed = nullptr;
   ImGui::SameLine(0, between);
   commands(session);
   const bool wide = text_width("Only differences") + px(44) <= room;
