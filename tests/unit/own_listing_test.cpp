@@ -167,7 +167,8 @@ void draw_listing(const BookScene& scene, BookCanvas& canvas) {
     delete compiled_;
     compiled_ = nullptr;
   }
-  static OwnRun run(int what, double seconds = 30, Isolation isolation = Isolation::limits_only) {
+  /// `seconds`: enough for a second of processor time on a machine that has much else to do.
+  static OwnRun run(int what, double seconds = 120, Isolation isolation = Isolation::limits_only) {
     if (!compiled_->program)
       throw InputError(compiled_->messages.empty() ? compiled_->failure : compiled_->messages[0].text);
     const Scene scene;
@@ -216,7 +217,7 @@ TEST_F(OwnListingRuns, AnOrphanDoesNotKeepThePictureWaiting) {
 
 TEST_F(OwnListingRuns, PictureAndValuesComeBackFromBubblewrapToo) {
   for (const Isolation isolation : {Isolation::limits_only, Isolation::bubblewrap_if_installed}) {
-    const OwnRun done = run(12, 30, isolation);
+    const OwnRun done = run(12, 120, isolation);
     ASSERT_EQ(done.failure, "");
     EXPECT_EQ(done.text, "no home\nno home\n");  // for the picture and for the values
     EXPECT_EQ(done.result.picture.at(10, 4), Vec3d(1, 2, 3));
@@ -224,7 +225,7 @@ TEST_F(OwnListingRuns, PictureAndValuesComeBackFromBubblewrapToo) {
     ASSERT_EQ(done.result.trace->watches.size(), 1u);
     EXPECT_EQ(done.result.trace->watches[0].name, "name");
     EXPECT_EQ(done.result.trace->watches[0].value, WatchValue(std::int64_t{5}));
-    EXPECT_NE(run(2, 30, isolation).failure.find("SIGSEGV"), std::string::npos);
+    EXPECT_NE(run(2, 120, isolation).failure.find("SIGSEGV"), std::string::npos);
   }
 }
 
