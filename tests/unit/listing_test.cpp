@@ -334,7 +334,7 @@ TEST(Listing, PictureIsThatOfTheRenderer) {
                         {"lab-cornell", "lab/polygon-rows", {}},
                         {"cgpp-15-4-measured-light", "cgpp/ground", {"shadow-epsilon=0.001"}},
                         {"cgpp-15-4-measured-light", "cgpp/triangle", {}},
-                        {"oct-dont-test-everything", "cgfs/cubes", {"octree-leaf=2"}},
+                        {"oct-dont-test-everything", "cgfs/cubes", {"octree-leaf=2", "octree-depth=6"}},
                         {"oct-dont-test-everything", "lab/hierarchy", {"octree-depth=3"}},
                         {"cgfs-11-clipping", "cgfs/behind", {}},
                         {"cgfs-11-clipping", "cgfs/behind", {"near=6", "backface-culling=off"}},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "frame/display_frame.h"
 #include "hardware/gl_thread.h"
@@ -33,12 +34,24 @@ std::string PairDifference::text() const {
                      colours, largest);
 }
 
-PairDifference compare_with_rasterizer(const Scene& scene, const Settings& settings, Renderer hardware, int width,
-                                       int height) {
-  const View view{scene.camera, width, height};
+namespace {
+
+/// A scene and what its pictures share: shadow maps of many cases are the same.
+struct LoadedScene {
+  explicit LoadedScene(const std::string& name) : scene(load_scene(name)) {}
+  Scene scene;
+  Prepared prepared;
+};
+
+LoadedScene& loaded(const std::string& name) {
+  static std::map<std::string, LoadedScene> all;
+  return all.try_emplace(name, name).first->second;
+}
+
+PairDifference compare(const Scene& scene, const Settings& settings, Renderer hardware, const View& view,
+                       Prepared& prepared) {
   RenderRequest request;
   request.channels = Channel::ids;
-  Prepared prepared;
   Progress progress;
   Settings one = settings;
   one.renderer = hardware;
@@ -64,6 +77,14 @@ PairDifference compare_with_rasterizer(const Scene& scene, const Settings& setti
   return difference;
 }
 
+}  // namespace
+
+PairDifference compare_with_rasterizer(const Scene& scene, const Settings& settings, Renderer hardware, int width,
+                                       int height) {
+  Prepared prepared;
+  return compare(scene, settings, hardware, {scene.camera, width, height}, prepared);
+}
+
 std::string PairCase::name() const {
   std::string text = scene;
   for (const std::string& assignment : assignments) text += " " + assignment;
@@ -71,10 +92,10 @@ std::string PairCase::name() const {
 }
 
 PairDifference compare_with_rasterizer(const PairCase& one, Renderer hardware, int width, int height) {
-  const Scene scene = load_scene(one.scene);
-  Settings settings = settings_for(scene);
+  LoadedScene& at_hand = loaded(one.scene);
+  Settings settings = settings_for(at_hand.scene);
   for (const std::string& assignment : one.assignments) parse_assignment(assignment, settings);
-  return compare_with_rasterizer(scene, settings, hardware, width, height);
+  return compare(at_hand.scene, settings, hardware, {at_hand.scene.camera, width, height}, at_hand.prepared);
 }
 
 }  // namespace ps::test
