@@ -200,13 +200,11 @@ TEST_P(LessonFit, NothingIsCut) {
       // A square picture alone is as high as there is room, which leaves more beside it on a wide screen.
       const double least = compare && compare->starts_with("only") ? 25 : 30;
       if (!places.empty()) commands += step == 0 ? "key ]\n" : "key Shift+PageDown\n";
-      // What an experiment measures in up to 20 s is looked at in the study.
-      const bool measures = ps::part_of(read.steps[step].state, "experiment") != nullptr;
-      commands += (waits && !measures) || places.empty() ? "wait idle\n" : "wait frames 4\n";
+      commands += waits || places.empty() ? "wait idle\n" : "wait frames 4\n";
       commands += "print window/cut\nprint window/overlap\nprint window/pictures-share\n";
       // Until its pictures come, a step shows those of the one before.
-      FitPlace& place = places.emplace_back(
-          FitPlace{names[lesson] + ", step " + std::to_string(step + 1), waits && !measures ? least : 0.0});
+      FitPlace& place =
+          places.emplace_back(FitPlace{names[lesson] + ", step " + std::to_string(step + 1), waits ? least : 0.0});
       if (extent == LessonScreen::Steps::all && screen.type == "1")
         place.page_counts = print_pages(read.steps[step], commands);
       // In large type the step's tool is behind its text.
