@@ -18,7 +18,7 @@ namespace {
 
 using namespace ps;
 
-constexpr int width = 240, height = 240;
+constexpr int width = 160, height = 160;
 
 struct Pair {
   TraceInputs<float> narrow;
