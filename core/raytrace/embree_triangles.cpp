@@ -1,6 +1,7 @@
 #include "raytrace/embree_triangles.h"
 
 #include <atomic>
+#include <mutex>
 
 #include "base/check.h"
 #include "base/stop.h"
@@ -16,6 +17,8 @@ struct EmbreeTriangles::Content {
   std::vector<std::uint32_t> primitives;  ///< of Embree's triangles
   std::atomic<std::int64_t> bytes{0};
 
+  /// Throws InputError if Embree cannot be started.
+  void make(const TracedGeometry<float>& geometry);
   ~Content() {
     if (scene) rtcReleaseScene(scene);
     if (device) rtcReleaseDevice(device);
@@ -54,22 +57,59 @@ bool count_bytes(void* total, ssize_t bytes, bool) {
 
 }  // namespace
 
-EmbreeTriangles::EmbreeTriangles(const TracedGeometry<float>& geometry) : content_(std::make_unique<Content>()) {
-  Content& my = *content_;
-  my.device = rtcNewDevice("threads=1");  // more would build another tree each time, and count other tests
-  if (!my.device) throw InputError("Embree cannot be started");
-  rtcSetDeviceMemoryMonitorFunction(my.device, count_bytes, &my.bytes);
+/// What Embree shares between its devices: allocators, and the tasks of a build. Its threads hand them on by atomic
+/// operations within a library that ThreadSanitizer cannot look into. So one thread at a time makes a tree or lets one
+/// go; searches need no turn.
+struct EmbreeTriangles::Turns {
+  std::mutex building;
+  std::mutex leaving;  ///< guards `left`
+  std::vector<std::unique_ptr<Content>> left;
+
+  /// Frees what is left, unless another thread builds, which will do so afterwards.
+  void free_left() {
+    for (;;) {
+      const std::unique_lock turn(building, std::try_to_lock);
+      if (!turn) return;
+      std::vector<std::unique_ptr<Content>> freed;
+      {
+        const std::lock_guard lock(leaving);
+        freed.swap(left);
+      }
+      if (freed.empty()) return;
+    }
+  }
+
+  /// Never destroyed: a tree may be let go while the program ends.
+  static Turns& all() {
+    static Turns& turns = *new Turns;
+    return turns;
+  }
+};
+
+void EmbreeTriangles::LetGo::operator()(Content* content) const {
+  Turns& turns = Turns::all();
+  {
+    const std::lock_guard lock(turns.leaving);
+    turns.left.emplace_back(content);
+  }
+  turns.free_left();  // waits for no build: the window's thread may be the one that lets go
+}
+
+void EmbreeTriangles::Content::make(const TracedGeometry<float>& geometry) {
+  device = rtcNewDevice("threads=1");  // more would build another tree each time, and count other tests
+  if (!device) throw InputError("Embree cannot be started");
+  rtcSetDeviceMemoryMonitorFunction(device, count_bytes, &bytes);
   for (std::uint32_t i = 0; i < geometry.primitives.size(); ++i)
-    if (geometry.primitives[i].kind == PrimitiveKind::triangle) my.primitives.push_back(i);
-  const std::size_t count = my.primitives.size();
-  RTCGeometry triangles = rtcNewGeometry(my.device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    if (geometry.primitives[i].kind == PrimitiveKind::triangle) primitives.push_back(i);
+  const std::size_t count = primitives.size();
+  RTCGeometry triangles = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* positions = static_cast<Vec3f*>(
       rtcSetNewGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), 3 * count));
   auto* corners = static_cast<std::uint32_t*>(
       rtcSetNewGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), count));
   if (positions != nullptr && corners != nullptr) {
     for (std::size_t i = 0; i < count; ++i) {
-      const TracedTriangle<float>& triangle = geometry.triangles[geometry.primitives[my.primitives[i]].shape];
+      const TracedTriangle<float>& triangle = geometry.triangles[geometry.primitives[primitives[i]].shape];
       positions[3 * i] = triangle.a;
       positions[3 * i + 1] = triangle.b;
       positions[3 * i + 2] = triangle.c;
@@ -78,17 +118,27 @@ EmbreeTriangles::EmbreeTriangles(const TracedGeometry<float>& geometry) : conten
     rtcSetGeometryIntersectFilterFunction(triangles, filter);
     rtcSetGeometryOccludedFilterFunction(triangles, filter);
     rtcCommitGeometry(triangles);
-    my.scene = rtcNewScene(my.device);
-    rtcSetSceneFlags(my.scene, RTC_SCENE_FLAG_ROBUST);
-    rtcAttachGeometry(my.scene, triangles);
+    scene = rtcNewScene(device);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    rtcAttachGeometry(scene, triangles);
     const Progress* stop = current_stop();
-    if (stop) rtcSetSceneProgressMonitorFunction(my.scene, goes_on, const_cast<Progress*>(stop));
-    rtcCommitScene(my.scene);
-    if (stop) rtcSetSceneProgressMonitorFunction(my.scene, nullptr, nullptr);
+    if (stop) rtcSetSceneProgressMonitorFunction(scene, goes_on, const_cast<Progress*>(stop));
+    rtcCommitScene(scene);
+    if (stop) rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
   }
   rtcReleaseGeometry(triangles);
+}
+
+EmbreeTriangles::EmbreeTriangles(const TracedGeometry<float>& geometry) : content_(new Content) {
+  Turns& turns = Turns::all();
+  {
+    const std::lock_guard turn(turns.building);
+    check_stop();
+    content_->make(geometry);
+  }
+  turns.free_left();
   check_stop();
-  if (rtcGetDeviceError(my.device) != RTC_ERROR_NONE) throw InputError("Embree refuses the scene's triangles");
+  if (rtcGetDeviceError(content_->device) != RTC_ERROR_NONE) throw InputError("Embree refuses the scene's triangles");
 }
 
 EmbreeTriangles::~EmbreeTriangles() = default;
@@ -128,6 +178,7 @@ void EmbreeTriangles::search(const Ray<float>& ray, float limit, bool any, const
 namespace ps {
 
 struct EmbreeTriangles::Content {};
+void EmbreeTriangles::LetGo::operator()(Content* content) const { delete content; }
 EmbreeTriangles::EmbreeTriangles(const TracedGeometry<float>&) { throw InputError("Embree is not compiled in"); }
 EmbreeTriangles::~EmbreeTriangles() = default;
 std::size_t EmbreeTriangles::heap_bytes() const { return 0; }

@@ -19,7 +19,7 @@ struct EmbreeCandidate {
 /// report the nodes that it visits.
 class EmbreeTriangles {
  public:
-  /// Throws InputError if Embree cannot be used.
+  /// Throws InputError if Embree cannot be used. Of several threads one builds at a time.
   explicit EmbreeTriangles(const TracedGeometry<float>& geometry);
   ~EmbreeTriangles();
   EmbreeTriangles(const EmbreeTriangles&) = delete;
@@ -43,8 +43,12 @@ class EmbreeTriangles {
     bool (*visit)(void* data, const EmbreeCandidate& candidate);
   };
   struct Content;
+  struct Turns;
+  struct LetGo {
+    void operator()(Content* content) const;
+  };
   void search(const Ray<float>& ray, float limit, bool any, const Visitor& visitor) const;
-  std::unique_ptr<Content> content_;
+  std::unique_ptr<Content, LetGo> content_;
 };
 
 /// What rays search with accelerator = embree: the triangles there, everything else in a tree of boxes. Embree
