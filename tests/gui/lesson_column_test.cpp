@@ -31,6 +31,20 @@ TEST(LessonColumn, AKeyAndTabsChooseAndANewStepShowsItsText) {
                large + "cgfs_02_basic_ray_tracing/9");
 }
 
+// The line is clicked in the listing, which stands behind the task: a button leads there, and one leads back.
+TEST(LessonColumn, AQuestionForALineLeadsToTheListingAndBack) {
+  const std::string asks = "expect question/text contains \"Click the wrong line\"\n",
+                    text = "wait frames 2\nexpect lesson/column text\n" + asks + fits,
+                    tool = "wait frames 2\nexpect lesson/column tool\n" + asks + fits;
+  for (const std::string size : {"1024x768", "1366x768"})
+    expect_plays("bug-" + size,
+                 text + "click question/turn\n" + tool + "click question/turn\n" + text + "click question/turn\n" +
+                     tool + "click listing/line-36/pick\n" + tool + "expect question/answer \"Answer: line 36\"\n" +
+                     "click question/turn\n" + text + "expect question/answer \"Answer: line 36\"\n" +
+                     "click question/answer\nwait idle\nexpect lesson/column text\nexpect question/points 1\n" + fits,
+                 large + "cgfs_02_basic_ray_tracing/10", size);
+}
+
 TEST(LessonColumn, ReadingOnComesToTheToolBehindTheLastPage) {
   std::string pages;
   expect_plays(

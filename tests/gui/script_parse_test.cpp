@@ -42,6 +42,8 @@ TEST(ScriptParse, ErrorsNameThePlace) {
   expect_error("click-pixel C 1,2", 1, 13, "'C'");
   expect_error("click-pixel A 12", 1, 13, "two numbers");
   expect_error("key Hyper+X", 1, 5, "'Hyper+X'");
+  expect_error("draw never", 1, 6, "draw on or draw off");
+  expect_error("draw", 1, 1, "draw on or draw off");
   expect_error("resize 100", 1, 8, "two numbers");
   expect_error("expect a !! b", 1, 8, "'!!'");
   expect_error("set gamma", 1, 5, "'gamma'");

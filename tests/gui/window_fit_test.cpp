@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <ostream>
 #include <sstream>
 
@@ -37,14 +38,26 @@ struct FitPlace {
 
 constexpr int most_pages = 2;  // of a step's text, in common type
 
-/// Plays the commands; each place where something does not fit is a failure.
+// After a key: one frame draws what follows from it, one knows the sizes of the regions in that, and one comes to rest.
+// The player waits for two after the key.
+const std::string settled = "wait frames 2\n";
+const std::string print_fit = "print window/cut\nprint window/overlap\nprint window/pictures-share\n";
+
+std::vector<FitScreen> fit_screens() {
+  return {{"1024x768", "1"},   {"1366x768", "1"},   {"1920x1080", "1"},   {"3840x2160", "2"},
+          {"1024x768", "1.5"}, {"1366x768", "1.5"}, {"1920x1080", "1.5"}, {"3840x2160", "3"}};
+}
+
+/// Plays the commands without drawing, which takes ten times as long as the layout that they are about; each place
+/// where something does not fit is a failure.
 void expect_all_fits(const std::string& commands, const std::vector<FitPlace>& places, const FitScreen& screen,
                      const std::string& arguments) {
   // One folder for each test: several of one screen run at a time.
   std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
   std::replace(name.begin(), name.end(), '/', '-');
   const auto folder = ps::fresh_output_folder("gui-fit-" + name);
-  const auto result = ps::test::play(commands, folder, screen.size, "--scale " + screen.type + " " + arguments);
+  const auto result =
+      ps::test::play("draw off\n" + commands, folder, screen.size, "--scale " + screen.type + " " + arguments);
   ASSERT_EQ(result.status, 0) << result.errors;
   std::istringstream lines(result.output);
   for (const FitPlace& place : places) {
@@ -67,11 +80,11 @@ TEST_P(WindowFit, NothingIsCutInAnyModeOrTool) {
   std::string commands = "wait idle\n";
   std::vector<FitPlace> places;
   const auto look_at = [&](const std::string& place, const std::string& way) {
-    commands += way + "wait idle\nprint window/cut\nprint window/overlap\nprint window/pictures-share\n";
+    commands += way + "wait idle\n" + print_fit;
     places.push_back({place});
   };
   look_at("exploring", "");
-  look_at("palette", "key Ctrl+K\nwait frames 4\ntype worst\nwait frames 4\n");
+  look_at("palette", "key Ctrl+K\nwait frames 2\ntype worst\nwait frames 2\n");
   look_at("exploring with a pixel's story", "key Esc\nclick-pixel A 20,30\n");
   for (const std::string tool :
        {"space", "microscope", "listing", "vertex", "pixels", "chart", "stability", "needs", "why", "timings"})
@@ -115,23 +128,21 @@ const std::vector<OpenMenu>& menus() {
 TEST_P(WindowFit, TheOfferOfTheFirstStartIsSeenWhole) {
   const ps::test::ScratchFolder state;  // in which nothing is remembered yet
   const ps::test::Variable home("XDG_STATE_HOME", state.path().string());
-  const std::string look = "print window/cut\nprint window/overlap\nprint window/pictures-share\n";
-  expect_all_fits("wait idle\nexpect first-look/offered on\n" + look + "quit\n", {{"first start"}}, GetParam(), "");
+  expect_all_fits("wait idle\nexpect first-look/offered on\n" + print_fit + "quit\n", {{"first start"}}, GetParam(),
+                  "");
 }
 
 // A menu that is longer than the window would scroll, without a sign that there is more.
 TEST_P(WindowFit, MenusAreSeenWhole) {
-  const auto& [size, type] = GetParam();
-  if (size == "3840x2160" || (size == "1920x1080" && type != "1")) GTEST_SKIP() << "more room than on 1366x768";
   std::string commands = "wait idle\nopen cgfs/reflections\nwait idle\n";
   std::vector<FitPlace> places;
-  const std::string look = "wait frames 4\nprint window/cut\nprint window/overlap\nprint window/pictures-share\n";
+  const std::string look = settled + print_fit;
   for (const OpenMenu& menu : menus()) {
     commands += "click menu/" + menu.name + "\n" + look;
     places.push_back({"menu: " + menu.name});
-    const std::string close = "key Esc\nkey Esc\nwait frames 4\n";
+    const std::string close = "key Esc\nkey Esc\n" + settled;
     for (const std::string& beside : menu.beside) {  // one may lie over the menu
-      commands += close + "click menu/" + menu.name + "\nwait frames 4\nclick menu/" + beside + "\n" + look;
+      commands += close + "click menu/" + menu.name + "\n" + settled + "click menu/" + beside + "\n" + look;
       places.push_back({"menu: " + menu.name + ", " + beside});
     }
     commands += close;
@@ -139,18 +150,28 @@ TEST_P(WindowFit, MenusAreSeenWhole) {
   expect_all_fits(commands + "quit\n", places, GetParam(), "cgfs/shadows --size 60x60");
 }
 
-INSTANTIATE_TEST_SUITE_P(Screens, WindowFit,
-                         testing::Values(FitScreen{"1024x768", "1"}, FitScreen{"1366x768", "1"},
-                                         FitScreen{"1920x1080", "1"}, FitScreen{"3840x2160", "2"},
-                                         FitScreen{"1024x768", "1.5"}, FitScreen{"1366x768", "1.5"},
-                                         FitScreen{"1920x1080", "1.5"}, FitScreen{"3840x2160", "3"}),
+INSTANTIATE_TEST_SUITE_P(Screens, WindowFit, testing::ValuesIn(fit_screens()),
                          [](const testing::TestParamInfo<FitScreen>& each) { return name_of(each.param); });
+
+// What is not drawn is laid out all the same: what is cut is found, here in a window that becomes too small for its
+// type.
+TEST(FitWithoutDrawing, FindsWhatIsCut) {
+  const auto folder = ps::fresh_output_folder("gui-fit-undrawn");
+  const std::string commands =
+      "wait idle\nprint window/cut\nresize 800x600\nwait idle\nprint window/cut\nprint window/overlap\nquit\n";
+  const std::string arguments = "cgfs/shadows --size 60x60 --scale 3";
+  const auto drawn = ps::test::play("draw on\n" + commands, folder, "3840x2160", arguments),
+             undrawn = ps::test::play("draw off\n" + commands, folder, "3840x2160", arguments);
+  ASSERT_EQ(undrawn.status, 0) << undrawn.errors;
+  EXPECT_EQ(undrawn.output, drawn.output);
+  EXPECT_EQ(undrawn.output.find('\n'), 0u) << "something is cut in the large window: " << undrawn.output;
+  EXPECT_NE(undrawn.output.find("menu/"), std::string::npos) << undrawn.output;
+}
 
 /// A screen and a share of the lessons, which lie together in the course.
 struct LessonScreen {
   FitScreen screen;
   std::size_t share = 0, shares = 1;
-  enum class Steps { first, all } steps = Steps::first;
 };
 
 std::string name_of(const LessonScreen& lessons) {
@@ -158,15 +179,19 @@ std::string name_of(const LessonScreen& lessons) {
 }
 std::ostream& operator<<(std::ostream& out, const LessonScreen& lessons) { return out << name_of(lessons); }
 
+/// All lessons on each screen.
 std::vector<LessonScreen> lesson_screens() {
-  // Every step where there is least room; the first of each lesson on larger screens.
   std::vector<LessonScreen> all;
-  for (const FitScreen& screen : {FitScreen{"1024x768", "1"}, FitScreen{"1366x768", "1"}, FitScreen{"1024x768", "1.5"}})
-    for (std::size_t share = 0; share < 11; ++share) all.push_back({screen, share, 11, LessonScreen::Steps::all});
-  for (const FitScreen& screen :
-       {FitScreen{"1920x1080", "1"}, FitScreen{"3840x2160", "2"}, FitScreen{"1366x768", "1.5"},
-        FitScreen{"1920x1080", "1.5"}, FitScreen{"3840x2160", "3"}})
-    all.push_back({screen});
+  for (const FitScreen& screen : fit_screens())
+    for (std::size_t share = 0; share < 2; ++share) all.push_back({screen, share, 2});
+  return all;
+}
+
+/// All lessons once, since pictures take long: every second share on either of the screens with little room.
+std::vector<LessonScreen> lesson_pictures() {
+  std::vector<LessonScreen> all;
+  for (std::size_t share = 0; share < 24; ++share)
+    all.push_back({{share % 2 == 0 ? "1024x768" : "1366x768", "1"}, share, 24});
   return all;
 }
 
@@ -177,47 +202,68 @@ int print_pages(const ps::LessonStep& step, std::string& commands) {
   commands += print;
   if (!step.question) return 1;
   const std::string asked = step.question->kind == ps::AskKind::pixel ? "predict" : "question";
-  commands += "click " + asked + "/skip\nwait frames 4\n" + print;
+  commands += "click " + asked + "/skip\n" + settled + print;
   return 2;
 }
 
-class LessonFit : public testing::TestWithParam<LessonScreen> {};
+/// Looks at a step, and what is to be looked at there.
+using LookAtStep = std::function<void(const ps::LessonStep& step, const std::string& name, std::string& commands,
+                                      std::vector<FitPlace>& places)>;
 
-TEST_P(LessonFit, NothingIsCut) {
-  const auto& [screen, share, shares, extent] = GetParam();
-  // Pictures are waited for on two screens alone, of every second share each: it takes long. Otherwise a step is looked
-  // at as soon as it is drawn.
-  const bool waits = screen.type == "1" && share % 2 == (screen.size == "1024x768" ? 0 : 1);
+/// Goes through all steps of the share's lessons.
+void expect_steps_fit(const LessonScreen& lessons, const LookAtStep& look) {
+  const auto& [screen, share, shares] = lessons;
   const std::vector<std::string>& names = ps::lesson_names();
   const auto begin = names.size() * share / shares, end = names.size() * (share + 1) / shares;
-  std::string commands;
+  std::string commands = settled;
   std::vector<FitPlace> places;
   for (auto lesson = begin; lesson < end; ++lesson) {
     const ps::Lesson read = ps::load_lesson(names[lesson]);
-    const auto steps = extent == LessonScreen::Steps::all ? read.steps.size() : 1;
-    for (std::size_t step = 0; step < steps; ++step) {
-      const std::string* compare = ps::part_of(read.steps[step].state, "compare");
-      // A square picture alone is as high as there is room, which leaves more beside it on a wide screen.
-      const double least = compare && compare->starts_with("only") ? 25 : 30;
+    for (std::size_t step = 0; step < read.steps.size(); ++step) {
       if (!places.empty()) commands += step == 0 ? "key ]\n" : "key Shift+PageDown\n";
-      commands += waits || places.empty() ? "wait idle\n" : "wait frames 4\n";
-      commands += "print window/cut\nprint window/overlap\nprint window/pictures-share\n";
-      // Until its pictures come, a step shows those of the one before.
-      FitPlace& place =
-          places.emplace_back(FitPlace{names[lesson] + ", step " + std::to_string(step + 1), waits ? least : 0.0});
-      if (extent == LessonScreen::Steps::all && screen.type == "1")
-        place.page_counts = print_pages(read.steps[step], commands);
-      // In large type the step's tool is behind its text.
-      if (extent != LessonScreen::Steps::all || screen.type == "1" || !ps::part_of(read.steps[step].state, "stage"))
-        continue;
-      commands += "key V\nwait frames 4\nprint window/cut\nprint window/overlap\nprint window/pictures-share\n";
-      places.push_back({names[lesson] + ", step " + std::to_string(step + 1) + ", its tool"});
+      look(read.steps[step], names[lesson] + ", step " + std::to_string(step + 1), commands, places);
     }
   }
   expect_all_fits(commands + "quit\n", places, screen, "--lesson " + names[begin]);
 }
 
+class LessonFit : public testing::TestWithParam<LessonScreen> {};
+
+// A step is looked at as soon as it is laid out, while its pictures are those of the step before.
+TEST_P(LessonFit, NothingIsCut) {
+  const FitScreen& screen = GetParam().screen;
+  expect_steps_fit(GetParam(), [&](const ps::LessonStep& step, const std::string& name, std::string& commands,
+                                   std::vector<FitPlace>& places) {
+    commands += settled + print_fit;
+    FitPlace& place = places.emplace_back(FitPlace{name});
+    if (screen.type == "1") place.page_counts = print_pages(step, commands);
+    // Where there is no room for both the step's tool is behind its text; elsewhere the key does nothing.
+    commands += "key V\n" + settled + print_fit;
+    places.push_back({name + ", its tool"});
+  });
+}
+
 INSTANTIATE_TEST_SUITE_P(Screens, LessonFit, testing::ValuesIn(lesson_screens()),
+                         [](const testing::TestParamInfo<LessonScreen>& each) { return name_of(each.param); });
+
+class LessonPictures : public testing::TestWithParam<LessonScreen> {};
+
+// The same with the pictures, their captions and what was measured for the step.
+TEST_P(LessonPictures, HaveTheirShareAndNothingIsCut) {
+  expect_steps_fit(GetParam(), [](const ps::LessonStep& step, const std::string& name, std::string& commands,
+                                  std::vector<FitPlace>& places) {
+    const std::string* compare = ps::part_of(step.state, "compare");
+    // A square picture alone is as high as there is room, which leaves more beside it on a wide screen.
+    const double least = compare && compare->starts_with("only") ? 25 : 30;
+    // The answer to a question and an experiment take many seconds to measure; either ends with its step.
+    const bool measures = step.question || ps::part_of(step.state, "experiment");
+    commands += measures ? settled + "wait until a/state done\nwait until b/state done\n" + settled : "wait idle\n";
+    commands += print_fit;
+    places.push_back({name, least});
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Screens, LessonPictures, testing::ValuesIn(lesson_pictures()),
                          [](const testing::TestParamInfo<LessonScreen>& each) { return name_of(each.param); });
 
 }  // namespace

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <sstream>
 
 #include "gui/program.h"
+#include "image/file.h"
 #include "support/golden.h"
 
 namespace window_test {
@@ -121,6 +123,27 @@ TEST(Window, DrawsNoFrameTwice) {
   EXPECT_EQ(after, before);
   EXPECT_GT(changed, after);
   EXPECT_GT(resized, changed);
+}
+
+// With drawing off, what changes is laid out, and drawn only for a screenshot.
+TEST(Window, AScriptTurnsDrawingOff) {
+  const auto folder = ps::fresh_output_folder("gui-drawing-off");
+  const std::string counts = "print window/frames-drawn\nprint window/frames\n", shot = (folder / "shot.png").string();
+  const auto result =
+      play("wait idle\ndraw off\n" + counts + "set exposure=2\nresize 900x700\nwait idle\n" + counts + "screenshot " +
+               shot + "\nwait frames 3\n" + counts + "draw on\nset exposure=1\nwait idle\n" + counts,
+           folder, "1024x768", "--size 160x120");
+  ASSERT_EQ(result.status, 0) << result.errors;
+  std::istringstream lines(result.output);
+  std::array<int, 4> drawn{}, laid_out{};
+  for (std::size_t i = 0; i < drawn.size(); ++i) ASSERT_TRUE(lines >> drawn[i] >> laid_out[i]) << result.output;
+  EXPECT_EQ(drawn[1], drawn[0]);
+  EXPECT_GT(laid_out[1], laid_out[0]);
+  EXPECT_EQ(drawn[2], drawn[1] + 1);
+  EXPECT_GT(drawn[3], drawn[2]);
+  const auto picture = ps::load_levels(shot);
+  EXPECT_EQ(picture.width(), 900);
+  EXPECT_EQ(picture.height(), 700);
 }
 
 TEST(Window, RemembersTypeSizeAndTheme) {

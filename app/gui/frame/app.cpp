@@ -231,8 +231,7 @@ void App::Parts::add_actions() {
 
 void App::Parts::open_tool(std::string_view name) {
   make_room_for(session, find_panel(panels, name));
-  show_panel(session, name);
-  if (session.document().mode == ScreenMode::lesson) my.lessons.column.shows = ColumnShows::tool;
+  show_tool(session, my.lessons.column, name);
 }
 
 void App::Parts::offer_values() {

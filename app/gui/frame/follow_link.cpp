@@ -38,8 +38,7 @@ void show_linked_panel(Session& session, PanelStates& my, const std::string& nam
   if (name == options_panel_name) return show_options();
   if (name == story_panel_name) return show_story(session, "story");
   if (name == parting_panel_name) return show_story(session, "parting");
-  show_panel(session, name);
-  if (session.document().mode == ScreenMode::lesson) my.lessons.column.shows = ColumnShows::tool;
+  show_tool(session, my.lessons.column, name);
   flash({session.document().mode == ScreenMode::lesson ? "stage" : "bottom/" + name});
 }
 

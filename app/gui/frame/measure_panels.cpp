@@ -139,7 +139,10 @@ Panel why(Session& session, PanelStates& my) {
           .command = "Why: what makes A and B differ",
           .help = "Which option or stage makes A and B differ, and which pixels float gets wrong.",
           .draw = [&](const Context& context) { return why_tab(session, my.why, context.filled); },
-          .actions = [&](Actions& to) { add_why_actions(to, session, my.why, [&] { show_panel(session, "why"); }); },
+          .actions =
+              [&](Actions& to) {
+                add_why_actions(to, session, my.why, [&] { show_tool(session, my.lessons.column, "why"); });
+              },
           .publish = [&](Values& out) { offer_why_values(out, my.why); },
           .update =
               [&] {

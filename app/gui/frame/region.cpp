@@ -25,7 +25,8 @@ void region_heading(Session& session, const std::string& name, const std::string
 void begin_region(Session& session, const std::string& name, const Area& area, const std::string& heading,
                   RegionPadding padding) {
   ImGui::SetCursorScreenPos(area.min);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8), padding == RegionPadding::tight ? 0 : px(8)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                      {px(region_padding), padding == RegionPadding::tight ? 0 : px(region_padding)});
   ImGui::BeginChild(name.c_str(), {area.width(), area.height()}, false,
                     ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar |
                         ImGuiWindowFlags_NoScrollWithMouse);

@@ -8,6 +8,7 @@ namespace ps::gui {
 
 /// The margins above and below what is in a region: those of a region of one line are tight.
 enum class RegionPadding { normal, tight };
+inline constexpr double region_padding = 8;  ///< at the sides, and above and below a normal one, pixels at scale 1
 
 /// Begins a region of the window; ImGui::EndChild() after what is in it. With a heading, a double click on that lets
 /// the region fill the window, another one or Esc takes it back. `name` is that of the document's layout.

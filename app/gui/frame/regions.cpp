@@ -138,9 +138,10 @@ void Regions::question(const Area& area, bool pending) {
   ImGui::BeginChild("scroll");
   const float top = ImGui::GetCursorPosY();
   LessonQuestions& asked = *my_.predict.lesson;
+  bool turned = false;
   if (asked.asked_beside_text(session_) &&
       (pending ? asked.question()->kind != AskKind::pixel : asked.bug_shown(session_)))
-    ask_lesson_question(session_, asked);
+    turned = ask_lesson_question(session_, asked, ask_place());
   else if (pending)
     predict_panel(session_, my_.predict);
   else
@@ -150,6 +151,13 @@ void Regions::question(const Area& area, bool pending) {
   question_height_ = height;
   ImGui::EndChild();
   ImGui::EndChild();
+  if (turned) turn_column(my_.lessons.column);
+}
+
+AskPlace Regions::ask_place() const {
+  const LessonColumn& column = my_.lessons.column;
+  if (!column.shared) return AskPlace::beside_tool;
+  return column.shows == ColumnShows::text ? AskPlace::below_text : AskPlace::below_tool;
 }
 
 void Regions::lesson_text(const Area& area) {
@@ -196,6 +204,23 @@ bool Regions::column_head() {
   return false;
 }
 
+/// A question for a line of the listing is answered there: its sentence above, its controls below. Returns what room is
+/// left between them.
+Area Regions::inside_line_question(const Area& area) {
+  const LessonQuestions& asked = *my_.predict.lesson;
+  if (!asked.asked_beside_text(session_) || asked.question()->kind != AskKind::bug) return area;
+  Area room = above_question(area);
+  if (!asked.bug_shown(session_)) return room;  // below is why there is nothing to answer
+  const float gap = px(4), margin = px(region_padding);
+  const float height = question_reminder_height(*asked.question(), area.width() - 2 * margin) + 2 * gap;
+  begin_region(session_, "reminder", {area.min, {area.max.x, area.min.y + height}}, {}, RegionPadding::tight);
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + gap);
+  question_reminder(*asked.question());
+  ImGui::EndChild();
+  room.min.y += height;
+  return room;
+}
+
 /// The place that text and tool share, with tabs that choose.
 void Regions::column(const Area& area) {
   LessonColumn& column = my_.lessons.column;
@@ -208,9 +233,7 @@ void Regions::column(const Area& area) {
   ImGui::EndChild();
   Area below{{area.min.x, area.min.y + head}, area.max};
   if (column.shows == ColumnShows::text) return titled_text(below, {});
-  // A question for a line of the listing is answered there.
-  const LessonQuestions& asked = *my_.predict.lesson;
-  if (asked.asked_beside_text(session_) && asked.question()->kind == AskKind::bug) below = above_question(below);
+  below = inside_line_question(below);
   begin_region(session_, "stage", below, {}, RegionPadding::tight);
   fill = tool(staged(), {.filled = false, .headed = true}) || fill;
   ImGui::EndChild();
@@ -361,7 +384,7 @@ void Regions::study(const Area& area) {
 /// At the first start, until it is answered. Returns what room is left.
 Area Regions::first_look(const Area& area) {
   if (!offers_first_look_ || !session_.document().lesson.empty()) return area;
-  const float bottom = area.min.y + first_look_height(area.width() - px(16));
+  const float bottom = area.min.y + first_look_height(area.width() - 2 * px(region_padding));
   begin_region(session_, "first-look", {area.min, {area.max.x, bottom}}, "NEW HERE?");
   const FirstLookAnswer answer = first_look_offer();
   ImGui::EndChild();

@@ -36,6 +36,8 @@ class Regions {
   void stage(const Area& area, bool folded);
   void question(const Area& area, bool pending);
   Area above_question(const Area& area);
+  Area inside_line_question(const Area& area);
+  AskPlace ask_place() const;
   void lesson_text(const Area& area);
   void titled_text(const Area& area, const std::string& title);
   void column(const Area& area);

@@ -50,6 +50,11 @@ void show_panel(Session& session, std::string_view name) {
   });
 }
 
+void show_tool(Session& session, LessonColumn& column, std::string_view name) {
+  show_panel(session, name);
+  if (session.document().mode == ScreenMode::lesson) column.shows = ColumnShows::tool;
+}
+
 void make_room_for(Session& session, const Panel& tool) {
   if (tool.use == PanelUse::pixel) {
     if (session.document().mode == ScreenMode::study) set_mode(session, ScreenMode::explore);

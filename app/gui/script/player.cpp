@@ -154,6 +154,9 @@ void ScriptPlayer::begin(const Command& command) {
   case Verb::write:
     write_file_atomically(words[0], words[1]);
     return;
+  case Verb::draw:
+    draws_ = words[0] == "on";
+    return;
   case Verb::screenshot:
     screenshot_ = words[0];
     return after_frames(1);

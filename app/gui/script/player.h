@@ -37,6 +37,8 @@ class ScriptPlayer {
   ScriptStep step(Window& window, Content& content, LoopState state);
   /// Whether frame_drawn() may read the next frame.
   bool wants_screenshot() const { return !screenshot_.empty(); }
+  /// Whether frames are drawn; otherwise their layout is all that is asked for.
+  bool draws() const { return draws_; }
   /// Called when a frame is drawn but not yet shown.
   void frame_drawn(const Window& window);
   /// How long the loop may sleep before the next step(), in seconds.
@@ -76,6 +78,7 @@ class ScriptPlayer {
   bool watching_ = false;  ///< waits for something that comes by itself
   WindowPoint target_;
   std::string screenshot_;
+  bool draws_ = true;
   std::map<std::string, std::string> kept_;
   Window* window_ = nullptr;
   Content* content_ = nullptr;

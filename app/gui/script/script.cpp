@@ -39,6 +39,7 @@ constexpr std::array verbs{
     VerbRow{"open", Verb::open, 1, 1, "open PATH-or-NAME"},
     VerbRow{"drop", Verb::drop, 1, 1, "drop PATH"},
     VerbRow{"write", Verb::write, 2, 2, "write PATH TEXT"},
+    VerbRow{"draw", Verb::draw, 1, 1, "draw on or draw off"},
     VerbRow{"screenshot", Verb::screenshot, 1, 1, "screenshot PATH"},
     VerbRow{"expect", Verb::expect, 2, 4, "expect NAME [=|!=|~=|<|>|contains] VALUE [TOLERANCE]"},
     VerbRow{"expect-not", Verb::expect_not, 2, 2, "expect-not NAME VALUE"},
@@ -52,6 +53,7 @@ constexpr std::array operators{"=", "!=", "~=", "<", ">", "contains"};
 constexpr std::array click_kinds{"left", "right", "middle", "double", "ctrl"};
 constexpr std::array drag_kinds{"left", "right", "middle", "alt", "ctrl", "shift"};
 constexpr std::array buttons{"left", "right", "middle"};
+constexpr std::array on_off{"on", "off"};
 
 struct Word {
   std::string text;
@@ -126,6 +128,9 @@ void check(const Command& command, std::string_view usage) {
   case Verb::press:
   case Verb::lift:
     if (words.size() == 1) require_one_of(words[0], buttons, command.place, usage);
+    break;
+  case Verb::draw:
+    require_one_of(words[0], on_off, command.place, usage);
     break;
   case Verb::wheel:
     parse_script_number(words[0], command.place, wheel_range);

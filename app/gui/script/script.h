@@ -27,6 +27,7 @@ enum class Verb {
   open,         ///< open PATH-or-NAME
   drop,         ///< drop PATH, as if dragged into the window
   write,        ///< write PATH TEXT: what another program does to a file meanwhile
+  draw,         ///< draw on | draw off: frames are laid out without being drawn, but for screenshots
   screenshot,   ///< screenshot PATH
   expect,       ///< expect NAME VALUE | expect NAME OPERATOR VALUE [TOLERANCE]; OPERATOR is = != ~= < > contains
   expect_not,   ///< expect-not NAME VALUE

@@ -313,7 +313,8 @@ void Shell::Impl::draw_frame() {
   palette.draw(actions);
   ImGui::Render();
   layout_times.add(timer.milliseconds());
-  const bool drawn = window.draw_frame(shot_taker || (script && script->wants_screenshot()));
+  const bool will_be_read = shot_taker || (script && script->wants_screenshot());
+  const bool drawn = (will_be_read || !script || script->draws()) && window.draw_frame(will_be_read);
   if (const auto take = std::exchange(shot_taker, {})) take(window.screenshot());
   if (script) script->frame_drawn(window);
   if (drawn) {

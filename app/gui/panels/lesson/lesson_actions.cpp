@@ -29,11 +29,7 @@ void add_lesson_actions(Actions& actions, Session& session, LessonShelf& shelf) 
                .label = "The step's text or its tool, where they share a place",
                .group = "Lesson",
                .keys = "V",
-               .run =
-                   [&shelf] {
-                     const bool tool = shelf.column.shows == ColumnShows::tool;
-                     shelf.column.shows = tool ? ColumnShows::text : ColumnShows::tool;
-                   },
+               .run = [&shelf] { turn_column(shelf.column); },
                .enabled = [&shelf] { return shelf.column.shared; }});
   actions.add({.name = "blank",
                .label = "Blank the presenter's screen",

@@ -96,6 +96,9 @@ class LessonShelf {
   std::unique_ptr<FileWatch> watch_;  // since a lesson was first opened
 };
 
+/// The other one of the two is shown.
+void turn_column(LessonColumn& column);
+
 /// Puts a step on the screen: its scene, settings, channels and pixel. One step of the history.
 void go_to_step(Session& session, const std::string& lesson, int step);
 /// One step on or back in the open lesson; at its ends nothing happens.

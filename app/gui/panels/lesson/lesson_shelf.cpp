@@ -94,12 +94,16 @@ void follow_column(const Session& session, LessonShelf& shelf) {
   column.change = session.change();
 }
 
+void turn_column(LessonColumn& column) {
+  column.shows = column.shows == ColumnShows::text ? ColumnShows::tool : ColumnShows::text;
+}
+
 void read_lesson(Session& session, LessonShelf& shelf, int by) {
   ReadPage& read = session.document().mode == ScreenMode::presenter ? shelf.caption : shelf.text;
   const bool tool = shelf.column.shared && shelf.column.shows == ColumnShows::tool;
   const bool last = read.page + 1 >= read.pages;
   if (shelf.column.shared && (by < 0 ? tool : !tool && last)) {
-    shelf.column.shows = tool ? ColumnShows::text : ColumnShows::tool;
+    turn_column(shelf.column);
     return;
   }
   const bool in_sight = read.frame + 1 >= ImGui::GetFrameCount();

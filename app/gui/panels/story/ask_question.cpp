@@ -99,13 +99,34 @@ void question_text(const LessonQuestion& question) {
   value_paragraph("text", question.text);
 }
 
+/// Leads from the text to the listing with the line that is asked for, or back.
+bool turn_button(AskPlace place, std::string_view label, Emphasis emphasis) {
+  const bool text = place == AskPlace::below_text;
+  return button(
+      "turn", label, emphasis,
+      {.tooltip = text ? "The listing is where you click the line (V)." : "What the step says (V).", .disabled = {}});
+}
+
 }  // namespace
 
-void ask_lesson_question(Session& session, LessonQuestions& questions) {
+void question_reminder(const LessonQuestion& question) {
+  const NameScope scope("question");
+  question_text(question);
+}
+
+float question_reminder_height(const LessonQuestion& question, float width) {
+  const FontScope font(Face::bold);
+  return text_height(in_lines(question.text, width));
+}
+
+bool ask_lesson_question(Session& session, LessonQuestions& questions, AskPlace place) {
   const NameScope scope("question");
   const LessonQuestion& question = *questions.question();
-  question_text(question);
-  ImGui::Spacing();
+  const bool turns = question.kind == AskKind::bug && place != AskPlace::beside_tool;
+  if (!turns || place == AskPlace::below_text) {
+    question_text(question);
+    ImGui::Spacing();
+  }
   bool entered = false;
   switch (question.kind) {
   case AskKind::choice:
@@ -121,7 +142,7 @@ void ask_lesson_question(Session& session, LessonQuestions& questions) {
   case AskKind::pixel:
     break;
   }
-  ImGui::Spacing();
+  if (!turns) ImGui::Spacing();
   const auto right = questions.right();
   const std::string failure = questions.failure(), given = answer_text(questions);
   const std::string reason = !failure.empty() ? failure
@@ -129,16 +150,26 @@ void ask_lesson_question(Session& session, LessonQuestions& questions) {
                              : !right         ? "The answer is being measured."
                                               : "";
   const bool names_line = question.kind == AskKind::bug && !given.empty();
-  const bool answered = button("answer", names_line ? fmt::format("Answer: {}", given) : "Answer", Emphasis::primary,
-                               {.tooltip = "Shows whether the answer is right.", .disabled = reason});
+  // In the text there is nothing to answer before the listing was looked at.
+  const bool leads_on = turns && place == AskPlace::below_text && given.empty();
+  bool turned = leads_on && turn_button(place, "Go to the listing", Emphasis::primary);
+  const bool answered =
+      !leads_on && button("answer", names_line ? fmt::format("Answer: {}", given) : "Answer", Emphasis::primary,
+                          {.tooltip = "Shows whether the answer is right.", .disabled = reason});
   if ((answered || entered) && reason.empty()) {
     questions.take(session, given, judge(question, questions.answer, *right));
-    return;
+    return false;
   }
   same_line_if_room(button_width("Skip"));
   if (button("skip", "Skip", Emphasis::quiet,
              {.tooltip = "Goes on without an answer; nothing is kept.", .disabled = {}}))
     questions.take(session, "", {});
+  if (turns && !leads_on) {
+    const std::string_view label = place == AskPlace::below_text ? "Listing" : "Read the task";
+    same_line_if_room(button_width(label));
+    turned = turn_button(place, label, Emphasis::quiet);
+  }
+  return turned;
 }
 
 void way_back_to_question(Session& session, const LessonQuestions& questions) {

@@ -19,7 +19,7 @@ namespace ps::gui {
 namespace {
 
 constexpr double choice_width = 250, code_width = 190, menu_width = 430;
-constexpr std::array<std::string_view, 5> menu_controls{"which", "picture", "copy", "open", "colour"};
+constexpr std::array<std::string_view, 6> menu_controls{"which", "picture", "copy", "open", "colour", "fill"};
 
 /// The listing that is shown: the one that the option names, else the open lesson's, else what suits the scene.
 Settings listing_settings(const Session& session, Side side) {
@@ -68,6 +68,12 @@ void choose_code(ListingPanelState& state) {
   int index = static_cast<int>(state.code);
   if (choice("code", kinds, index, {.tooltip = "What is listed.", .width = px(code_width)}))
     state.code = static_cast<ListingPanelState::Code>(index);
+}
+
+/// Whether there is room behind the item that was drawn last.
+bool fill_has_room() {
+  const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
+  return ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + button_width("Fill") <= right;
 }
 
 /// Answers whether to fill the window, or no longer.
@@ -180,15 +186,21 @@ bool listing_head(Session& session, ListingPanelState& state, const PanelHost& h
       wanted_from_menu())
     ImGui::OpenPopup("listing-more");
   const ImVec2 corner{ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + px(2)};
+  const bool room = fill_has_room();
+  bool fill = room && fill_button(false);
   ImGui::SetNextWindowPos(corner);
   ImGui::SetNextWindowSizeConstraints({px(menu_width), 0}, {px(menu_width), px(menu_width)});
   if (ImGui::BeginPopup("listing-more")) {
     const Side side = listed_side(session, state);
     routine_controls(session, state, side, host);
+    if (!room && fill_button(false)) {
+      fill = true;
+      ImGui::CloseCurrentPopup();
+    }
     if (const std::string colours = colours_text(session, state, side); !colours.empty()) colours_line(colours);
     ImGui::EndPopup();
   }
-  return fill_button(false);
+  return fill;
 }
 
 bool listing_panel(Session& session, ListingPanelState& state, const Context& context, const PanelHost& host) {

@@ -123,6 +123,7 @@ const char* measure_word(const ChartTabState& state) {
 
 /// Begins to estimate what Measure will take, if that is not known for what is planned now.
 void keep_estimate(Session& session, ChartTabState& state) {
+  state.seen.now();
   const std::string wanted = fmt::format("{}|{} runs", state.plan.key, state.setup.repeats);
   if (state.estimated == wanted || state.study.running() || !state.plan.error.empty()) return;
   state.estimated = wanted;
@@ -324,6 +325,7 @@ void plot(Session& session, ChartTabState& state, const Area& area) {
 }  // namespace
 
 void update_chart(Session& session, ChartTabState& state) {
+  drop_unseen_estimate(state);
   const auto found = state.study.found();
   if (!found || found == state.found || !session.has_scene()) return;
   state.found = found;
@@ -421,6 +423,7 @@ void offer_chart_values(Values& out, const ChartTabState& state) {
     return static_cast<int>(
         std::count_if(points.begin(), points.end(), [](const ChartPoint& point) { return point.measured(); }));
   });
+  out.offer("chart/estimating", [&state] { return state.estimate.running(); });
   out.offer("chart/running", [&state] { return state.study.running(); });
   out.offer("chart/paused", [&state] { return state.study.state() == StudyState::paused; });
   out.offer("chart/runs-done", [&state] { return state.study.status().done; });

@@ -9,6 +9,7 @@
 #include "gui/panels/studies/chart_setup.h"
 #include "gui/panels/studies/chart_study.h"
 #include "gui/panels/studies/layout_choice.h"
+#include "gui/panels/studies/seen_estimate.h"
 #include "gui/panels/studies/study_folder.h"
 #include "gui/platform/texture.h"
 
@@ -44,6 +45,7 @@ struct ChartTabState {
   std::vector<std::string> idle_sweeps;  ///< why a named sweep changes nothing here, one for each; empty if it does
   std::string idle_for;                  ///< key of the plan that they were found for
   std::string estimated;                 ///< key of the plan and its runs that `estimate` was begun for
+  Seen seen;
 
   ChartStudy study;
   ChartEstimateStudy estimate;  ///< of what Measure will take

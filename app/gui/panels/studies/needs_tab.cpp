@@ -49,6 +49,7 @@ void measure(Session& session, NeedsTabState& state) {
 
 /// Begins to estimate what the search will take, if that is not known for these settings and this view.
 void keep_estimate(const Session& session, NeedsTabState& state) {
+  state.seen.now();
   const Document& document = session.document();
   const View view = session.view();
   std::string wanted =
@@ -194,6 +195,7 @@ void advice(Session& session, NeedsTabState& state) {
 }  // namespace
 
 void update_needs(NeedsTabState& state) {
+  drop_unseen_estimate(state);
   if (const auto found = state.study.found()) state.needs = found;
 }
 

@@ -4,6 +4,7 @@
 
 #include "gui/base/values.h"
 #include "gui/panels/studies/needs_view.h"
+#include "gui/panels/studies/seen_estimate.h"
 #include "gui/session/session.h"
 #include "gui/work/background_study.h"
 #include "study/estimate.h"
@@ -27,6 +28,7 @@ struct NeedsTabState {
   std::shared_ptr<const Needs> needs;  ///< as far as it is known
   NeedsThumbnails thumbnails;
   std::string estimated;  ///< what `estimate` was begun for
+  Seen seen;
 
   NeedsStudy study;
   NeedsEstimateStudy estimate;  ///< of what the search will take at least

@@ -7,6 +7,11 @@
 
 namespace ps::gui {
 
+/// Of both buttons, window pixels.
+inline float pause_and_stop_width() {
+  return std::max(button_width("Go on"), button_width("Pause")) + px(3) + button_width("Stop");
+}
+
 /// The buttons `pause` and `cancel` of a study that runs. `kept` says what remains when it is stopped.
 template <class Found>
 void pause_and_stop(BackgroundStudy<Found>& study, std::string_view kept) {

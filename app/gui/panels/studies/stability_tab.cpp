@@ -44,6 +44,7 @@ void begin(StabilityTabState& state, std::vector<std::string> keys, StabilityReq
   request.keys = state.asked = std::move(keys);
   request.folder = state.folder;
   request.kept = kept;
+  state.of_step.forget();
   state.study.start([request](StudyControl& control, const StabilityStudy::Publish& publish) {
     auto newest = std::make_shared<const StabilityFound>();
     run_stability(request, control, [&](const MeasuredExperiment& experiment, const StudyStatus& status) {
@@ -64,10 +65,13 @@ void look_into_folder(StabilityTabState& state) {
     if (experiment.complete) state.measured.insert_or_assign(experiment.key, std::move(experiment));
 }
 
+/// Something is being measured that somebody still waits for.
+bool measuring(const StabilityTabState& state) { return state.study.running() && !state.of_step.left(); }
+
 void select(StabilityTabState& state, const StabilityExperiment& experiment) {
   state.selected = experiment.key;
   state.series.clear();
-  if (!complete(state, experiment.key) && !state.study.running())
+  if (!complete(state, experiment.key) && !measuring(state))
     begin(state, {std::string(experiment.key)}, StabilityRequest::Kept::take);
 }
 
@@ -259,7 +263,8 @@ void point_tooltip(const Curves& curves, const ExperimentFigure::Row& row, bool 
 /// What is in place of a figure that is not there yet.
 void no_figure(const StabilityTabState& state, const StabilityExperiment& experiment, const Area& area) {
   ImGui::GetWindowDrawList()->AddRectFilled(area.min, area.max, colour_u32(palette().field));
-  const bool now = state.taken && state.taken->now == experiment.key;
+  const bool alone = state.asked.size() == 1 && state.asked.front() == experiment.key;
+  const bool now = alone || (state.taken && state.taken->now == experiment.key);
   const char* text = !state.study.running() ? "Not measured yet: press Measure."
                      : now                  ? "Measuring."
                                             : "Not measured yet: others are being measured.";
@@ -355,7 +360,7 @@ bool laboratory(StabilityTabState& state, bool filled) {
   const bool wide = ImGui::GetContentRegionAvail().x >= px(narrow);
   if (!wide) {
     experiment_choice(state);
-    same_line_if_room(px(82), px(8));
+    same_line_if_room(state.study.running() ? pause_and_stop_width() : button_width("Measure"), px(8));
   }
   run_buttons(state);
   same_line_if_room(button_width("Fill"), px(8));
@@ -398,6 +403,7 @@ bool stability_busy(const StabilityTabState& state) {
 }
 
 void update_stability(Session& session, StabilityTabState& state, const std::filesystem::path& folder) {
+  if (state.of_step.leave(session)) state.study.cancel();
   if (const auto opening = state.opening.found(); opening && opening != state.opened) {
     state.opened = opening;
     try {
@@ -423,8 +429,13 @@ bool stability_tab(Session& session, StabilityTabState& state, bool filled) {
   const NameScope scope("stability");
   look_into_folder(state);
   const std::string first(stability_experiments().front().key);
-  state.choice.follow(session,
-                      [&](const std::string& asked) { show_experiment(state, asked.empty() ? first : asked); });
+  bool of_step = state.of_step.came_back(session);
+  if (of_step) select(state, selected(state));
+  state.choice.follow(session, [&](const std::string& asked) {
+    of_step = !measuring(state);
+    show_experiment(state, asked.empty() ? first : asked);
+  });
+  if (of_step && state.study.running()) state.of_step.begin(session);
   const bool fill = laboratory(state, filled);
   const std::string shown(selected(state).key);
   state.choice.keep(session, shown == first ? "" : shown);

@@ -11,6 +11,7 @@
 #include "gui/panels/studies/film_strip_view.h"
 #include "gui/panels/studies/layout_choice.h"
 #include "gui/panels/studies/stability_opening.h"
+#include "gui/panels/studies/step_work.h"
 #include "gui/session/session.h"
 #include "gui/work/background_study.h"
 #include "study/stability_study.h"
@@ -35,6 +36,7 @@ struct StabilityTabState {
   std::map<std::string, MeasuredExperiment, std::less<>> measured;  ///< by key; one of them may be a part
   std::map<std::string, std::string, std::less<>> worst;            ///< what the list says of complete experiments
   std::vector<std::string> asked;                                   ///< keys of the study that was started last
+  StepWork of_step;                                                 ///< the study, where it was not asked for
   std::shared_ptr<const StabilityFound> taken;                      ///< what was taken up last
   std::shared_ptr<const StabilityOpening> opened;                   ///< the point that was shown last
   std::filesystem::path folder;                                     ///< where results are kept as they arrive
