@@ -60,7 +60,7 @@ class PictureTracer {
     frame_.counters[Counter::triangles_degenerate] += inputs_.geometry->degenerate_triangles;
     if (const auto* octree = accelerator_as<Octree<Real>>(inputs_.accelerator))
       frame_.counters[Counter::octree_entries] += octree->entries.size();
-    if (request_.region) clear_outside(region_, frame_);
+    if (clears_outside(request_)) clear_outside(region_, frame_);
     return std::move(frame_);
   }
 
