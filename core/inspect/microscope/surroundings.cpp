@@ -72,7 +72,7 @@ class SeenSquare {
     frame_ = render(scene, view, settings, request, prepared, progress);
   }
   bool contains(Vec2i p) const { return p.x >= part_.x0 && p.x < part_.x1 && p.y >= part_.y0 && p.y < part_.y1; }
-  Seen at(Vec2i p) const { return {frame_.ids.at(p.x, p.y), frame_.shadow.empty() ? 0 : frame_.shadow.at(p.x, p.y)}; }
+  Seen at(Vec2i p) const { return row_of(p.y).at(p.x); }
   std::string name(Vec2i p) const {
     const PixelId id = at(p).id;
     return id.object < 0 ? "the background" : primitive_name(scene_, id);
@@ -103,20 +103,37 @@ class SeenSquare {
       found = p;
       least = distance;
     };
-    for (int y = part_.y0; y < part_.y1; ++y)
+    const auto compare = [&](Vec2i p, Vec2i next, const Seen& a, const Seen& b) {
+      if (a == b) return;
+      offer(p);
+      offer(next);
+    };
+    for (int y = part_.y0; y < part_.y1; ++y) {
+      const Row row = row_of(y), below = row_of(std::min(y + 1, part_.y1 - 1));
       for (int x = part_.x0; x < part_.x1; ++x) {
-        const Seen own = at({x, y});
-        for (const Vec2i next : {Vec2i{x + 1, y}, {x, y + 1}}) {
-          if (!contains(next) || at(next) == own) continue;
-          offer({x, y});
-          offer(next);
-        }
+        const int right = std::min(x + 1, part_.x1 - 1);
+        compare({x, y}, {right, y}, row.at(x), row.at(right));
+        compare({x, y}, {x, y + 1}, row.at(x), below.at(x));
       }
+    }
     if (!found) return {};
     return NearestEdge{*found, name(*found), name(differing_neighbour(*found))};
   }
 
  private:
+  /// A row of the picture.
+  struct Row {
+    std::span<const PixelId> ids;
+    std::span<const std::uint32_t> shadow;  ///< empty where there are no shadows
+    Seen at(int x) const {
+      const auto i = static_cast<std::size_t>(x);
+      return {ids[i], shadow.empty() ? 0 : shadow[i]};
+    }
+  };
+  Row row_of(int y) const {
+    return {frame_.ids.row(y), frame_.shadow.empty() ? std::span<const std::uint32_t>() : frame_.shadow.row(y)};
+  }
+
   /// The pixel must have one.
   Vec2i differing_neighbour(Vec2i p) const {
     for (const Vec2i beside : {Vec2i{p.x - 1, p.y}, {p.x + 1, p.y}, {p.x, p.y - 1}})
