@@ -101,12 +101,19 @@ enum class DriverMemory {
   emptied,  ///< none of them: the picture uploads all that it needs
 };
 
+/// What a picture holds outside the region that was asked for.
+enum class Outside {
+  black,     ///< black, and channels as where nothing is seen
+  anything,  ///< whatever is there: nobody reads it, and clearing it may take longer than a small region
+};
+
 /// What a caller wants besides the picture itself.
 struct RenderRequest {
   Channel channels = Channel::none;
   WorkerPriority priority = WorkerPriority::normal;
-  /// Only these pixels are wanted (CGPP 15.4.4); they come out as in the whole picture, the others stay black.
+  /// Only these pixels are wanted (CGPP 15.4.4); they come out as in the whole picture.
   std::optional<TileRect> region{};
+  Outside outside = Outside::black;
   /// Gets the display levels of display_frame() while the colours are still at hand, or nullptr. Of the view's size; a
   /// rectangle is filled before on_tile is called for it, which then had better read them than the colours. Pixels
   /// outside `region` may hold anything.

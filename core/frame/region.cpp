@@ -1,16 +1,24 @@
 #include "frame/region.h"
 
+#include <algorithm>
 #include <limits>
+#include <span>
 
 namespace ps {
 namespace {
 
 template <class Element>
 void clear(const TileRect& region, Image<Element>& image, const Element& empty) {
+  if (image.empty()) return;
+  const TileRect part = common_part(region, {0, 0, image.width(), image.height()});
   for (int y = 0; y < image.height(); ++y) {
-    const bool inside = y >= region.y0 && y < region.y1;
-    for (int x = 0; x < image.width(); ++x)
-      if (!inside || x < region.x0 || x >= region.x1) image.at(x, y) = empty;
+    const std::span<Element> row = image.row(y);
+    if (is_empty(part) || y < part.y0 || y >= part.y1) {
+      std::fill(row.begin(), row.end(), empty);
+      continue;
+    }
+    std::fill(row.begin(), row.begin() + part.x0, empty);
+    std::fill(row.begin() + part.x1, row.end(), empty);
   }
 }
 

@@ -98,7 +98,7 @@ Frame render_hardware(const Scene& scene, const View& view, const Settings& sett
   frame.counters[Counter::nan_pixels] += count_nan_pixels(frame.colour);
   frame.path = hardware_path();
   const TileRect whole{0, 0, view.width, view.height};
-  if (request.region) clear_outside(*request.region, frame);
+  if (clears_outside(request)) clear_outside(*request.region, frame);
   finish_tile(request, settings, frame, request.region.value_or(whole));
   return frame;
 }

@@ -89,7 +89,7 @@ class Picture {
     store_map_pictures(pass_, frame_);
     for (const Counters& tile : counters) frame_.counters += tile;
     frame_.counters[Counter::lines_drawn] += count_canvas_lines(scene_);
-    if (request_.region) clear_outside(region, frame_);
+    if (clears_outside(request_)) clear_outside(region, frame_);
     stages_.done("fragments");
   }
 

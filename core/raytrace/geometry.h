@@ -139,15 +139,20 @@ inline Primitive placed_primitive(const TracedGeometry<Real>& geometry, std::uin
           placed.material ? *placed.material : mesh.materials[own], placed.front_only,       placed.mirrored};
 }
 
-/// The primitive with this number.
+/// The primitive with this number, where meshes are shared.
 template <class Real>
-inline Primitive primitive_of(const TracedGeometry<Real>& geometry, std::uint32_t number) {
-  if (geometry.numbers.empty()) return geometry.primitives[number];
+Primitive shared_primitive(const TracedGeometry<Real>& geometry, std::uint32_t number) {
   const auto after = std::upper_bound(geometry.numbers.begin(), geometry.numbers.end(), number,
                                       [](std::uint32_t n, const NumberRange& range) { return n < range.first; });
   const NumberRange& range = *std::prev(after);
   if (range.kind == NumberRange::Kind::primitive) return geometry.primitives[range.index];
   return placed_primitive(geometry, range.index, number - range.first);
+}
+
+/// The primitive with this number. It is asked for with each test, so that the common case is short enough to inline.
+template <class Real>
+inline Primitive primitive_of(const TracedGeometry<Real>& geometry, std::uint32_t number) {
+  return geometry.numbers.empty() ? geometry.primitives[number] : shared_primitive(geometry, number);
 }
 
 /// A triangle's vertices, and its attributes (for one that has some). Where meshes are shared they are made in

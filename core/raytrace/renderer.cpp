@@ -34,6 +34,7 @@ class PictureTracer {
         inputs_(make_trace_inputs<Real>(scene, view, settings, prepared, request.channels)),
         tiles_(make_tiles(view.width, view.height, traced_tile_size)),
         region_(asked_region(request, view.width, view.height)), tracer_(tile_tracer(scene, inputs_, plan_, prepared)) {
+    inputs_.maps_spheres = !scene.textures->empty() || has(request.channels, Channel::uv);
     if (plan_.mode == SamplingMode::adaptive) request_.channels = request_.channels | Channel::ids;
     frame_ = empty_frame<Real>(view, request_);
     frame_.path = tracer_->path();
@@ -60,7 +61,7 @@ class PictureTracer {
     frame_.counters[Counter::triangles_degenerate] += inputs_.geometry->degenerate_triangles;
     if (const auto* octree = accelerator_as<Octree<Real>>(inputs_.accelerator))
       frame_.counters[Counter::octree_entries] += octree->entries.size();
-    if (request_.region) clear_outside(region_, frame_);
+    if (clears_outside(request_)) clear_outside(region_, frame_);
     return std::move(frame_);
   }
 

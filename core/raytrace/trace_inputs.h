@@ -29,7 +29,8 @@ struct TraceInputs {
   std::vector<TextureWrap> wraps;  ///< of each texture
   bool any_transparent = false;
   std::vector<EyeBody> eye_bodies;
-  FastPath path;  ///< what may draw the picture
+  FastPath path;             ///< what may draw the picture
+  bool maps_spheres = true;  ///< whether spheres have texture coordinates: pictures that use none do without
   Vec3<Real> background{0};
   Settings settings;
   Viewport<Real> viewport;

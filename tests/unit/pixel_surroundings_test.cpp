@@ -2,8 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "inspect/microscope/microscope.h"
+#include "obj_corpus.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "render/render.h"
@@ -113,6 +116,117 @@ TEST(PixelSurroundings, ShadowsAreBordersToo) {
     }
   EXPECT_GT(borders, 1);
   EXPECT_GT(blocked, 3);
+}
+
+/// Where the nearest pixel lies that shows something else than a neighbour, in the whole picture with all that colours
+/// it.
+struct Expected {
+  std::optional<Vec2i> edge;
+  std::uint32_t shadow = 0;  ///< at the pixel itself
+};
+Expected expected_of(const Frame& frame, Vec2i from) {
+  Expected expected;
+  expected.shadow = frame.shadow.at(from.x, from.y);
+  const auto differ = [&](Vec2i a, Vec2i b) {
+    return frame.ids.at(a.x, a.y) != frame.ids.at(b.x, b.y) || frame.shadow.at(a.x, a.y) != frame.shadow.at(b.x, b.y);
+  };
+  int least = 0;
+  for (int y = std::max(from.y - 64, 0); y <= std::min(from.y + 64, side - 1); ++y)
+    for (int x = std::max(from.x - 64, 0); x <= std::min(from.x + 64, side - 1); ++x) {
+      const int distance = (x - from.x) * (x - from.x) + (y - from.y) * (y - from.y);
+      if (expected.edge && distance >= least) continue;
+      for (const Vec2i step : {Vec2i{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+        const Vec2i beside = Vec2i{x, y} + step;
+        if (std::max(std::abs(beside.x - from.x), std::abs(beside.y - from.y)) > 64) continue;
+        if (!frame.ids.contains(beside.x, beside.y) || !differ({x, y}, beside)) continue;
+        expected.edge = Vec2i{x, y};
+        least = distance;
+        break;
+      }
+    }
+  return expected;
+}
+
+struct Compared {
+  int pixels = 0, edges = 0, shadowed = 0;
+};
+
+/// Looks around some pixels; what is found must be as the whole picture has it.
+Compared compare_with_picture(const Scene& scene, const std::vector<const char*>& assignments) {
+  Settings settings = settings_for(scene);
+  for (const char* one : assignments) parse_assignment(one, settings);
+  RenderRequest request;
+  request.channels = Channel::ids | Channel::shadow;
+  Prepared prepared;
+  Progress progress;
+  const View view{scene.camera, side, side};
+  const Frame frame = render(scene, view, settings, request, prepared, progress);
+  Compared compared;
+  for (int y = 5; y < side; y += 33)
+    for (int x = 3; x < side; x += 25) {
+      const auto seen = look_around(scene, view, settings, {x, y}, prepared, progress);
+      if (!seen) continue;
+      ++compared.pixels;
+      const Expected expected = expected_of(frame, {x, y});
+      const std::string where =
+          scene.name + " " + assignments.front() + " " + std::to_string(x) + " " + std::to_string(y);
+      EXPECT_EQ(seen->edge.has_value(), expected.edge.has_value()) << where;
+      if (!seen->edge || !expected.edge) continue;
+      ++compared.edges;
+      compared.shadowed += expected.shadow != 0 ? 1 : 0;
+      EXPECT_EQ(seen->edge->pixel, *expected.edge) << where;
+      std::uint32_t mask = 0;
+      for (const SeenPixel& one : seen->around)
+        if (one.pixel == Vec2i{x, y})
+          for (const int light : one.blocked) mask |= 1U << light;
+      EXPECT_EQ(mask, expected.shadow) << where;
+    }
+  return compared;
+}
+
+// What only colours a pixel is left out while looking: mirrors, textures, and light where there are no shadows. What
+// decides which things are seen and which lights reach them is not.
+TEST(PixelSurroundings, AreThoseOfThePictureWithAllItsColours) {
+  const std::vector<std::pair<const char*, std::vector<const char*>>> pictures{
+      {"cgfs/reflections", {"renderer=ray-tracer"}},
+      {"cgfs/reflections", {"renderer=ray-tracer", "shadow-rays=useful"}},
+      {"cgfs/reflections", {"renderer=ray-tracer", "shadows=none"}},
+      {"cgfs/shading", {"renderer=ray-tracer", "self-hit=normal-bump", "shadow-epsilon=0.05"}},
+      {"cgfs/relief", {"renderer=ray-tracer", "parallax-mapping=steep"}},
+      {"cgfs/magnifying-glass", {"renderer=ray-tracer"}},
+      {"cgfs/crates", {"renderer=rasterizer"}},
+      {"cgfs/relief", {"renderer=rasterizer", "parallax-mapping=steep"}},
+      {"cgfs/shadows", {"renderer=rasterizer", "shadows=map", "shadow-map-size=64"}},
+      {"cgfs/shadows", {"renderer=rasterizer", "shadows=stencil-depth-fail"}},
+      {"lab/mirror-room", {"renderer=rasterizer", "environment-size=8"}}};
+  int edges = 0, shadowed = 0;
+  for (const auto& [name, assignments] : pictures) {
+    const Compared some = compare_with_picture(load_scene(name), assignments);
+    EXPECT_EQ(some.pixels, 12) << name;
+    edges += some.edges;
+    shadowed += some.shadowed;
+  }
+  EXPECT_GT(edges, 90);
+  EXPECT_GT(shadowed, 10);
+}
+
+// Fragments that an opacity map cuts out show what is behind them; rays meet the surface all the same.
+TEST(PixelSurroundings, HolesOfAnOpacityMapAreSeen) {
+  const test::ModelFolder folder;
+  folder.write("cut.pgm", "P2 2 1 255 255 0\n");
+  const Scene scene = parse_scene(
+      "background = linear (0, 0, 1)\ntexture { name = t file = cut.pgm }\n"
+      "material { name = m color = red opacity_map = t }\nlight { type = ambient intensity = 1 }\n"
+      "model { name = wall material = m vertices = [(-2, -2, 2), (-2, 2, 2), (2, 2, 2), (2, -2, 2)]\n"
+      "  uvs = [(0, 1), (0, 0), (1, 0), (1, 1)]\n"
+      "  triangles { 0 = { vertices = [0, 1, 2] uvs = [0, 1, 2] } 1 = { vertices = [0, 2, 3] uvs = [0, 2, 3] } } }\n"
+      "instance { model = wall }\n",
+      "wall.scene", folder.path().string());
+  for (const char* renderer : {"renderer=rasterizer", "renderer=ray-tracer"})
+    EXPECT_GT(compare_with_picture(scene, {renderer}).edges, 8);
+  const auto hole = around(scene, {"renderer=rasterizer"}, {75, 55});
+  ASSERT_TRUE(hole && hole->edge);
+  EXPECT_EQ(hole->around.front().seen, "the background");
 }
 
 TEST(PixelSurroundings, FarFromAllEdgesItSaysHowFarItLooked) {

@@ -60,6 +60,26 @@ TEST(Region, ShowsTheSamePixelsAndNothingElse) {
     }
 }
 
+// With shadows, which both renderers store; the frame is drawn into memory that an earlier one has left.
+TEST(Region, IsTheSameWhereAnythingMayLieAround) {
+  const Scene scene = load_scene("cgfs/reflections");
+  for (const Settings& settings : ways())
+    for (const TileRect& region : {TileRect{37, 20, 90, 71}, TileRect{31, 32, 33, 33}, TileRect{140, 100, 150, 110}}) {
+      const RenderRequest all_of_it = with(Channel::ids | Channel::shadow | Channel::depth);
+      RenderRequest request = all_of_it;
+      request.region = region;
+      request.outside = Outside::anything;
+      const Frame all = rendered(scene, settings, all_of_it), part = rendered(scene, settings, request);
+      for (int y = region.y0; y < region.y1; ++y)
+        for (int x = region.x0; x < region.x1; ++x) {
+          ASSERT_EQ(part.colour.at(x, y), all.colour.at(x, y)) << x << " " << y;
+          ASSERT_EQ(part.ids.at(x, y), all.ids.at(x, y)) << x << " " << y;
+          ASSERT_EQ(part.shadow.at(x, y), all.shadow.at(x, y)) << x << " " << y;
+          ASSERT_EQ(part.depth.at(x, y), all.depth.at(x, y)) << x << " " << y;
+        }
+    }
+}
+
 TEST(Region, TracesNoOtherPixels) {
   const Scene scene = load_scene("cgfs/reflections");
   for (const Simd simd : {Simd::off, Simd::automatic}) {

@@ -28,7 +28,8 @@ struct Surface {
 
 /// A point of a sphere: the ray's point, and the direction from the centre (CGFS ch. 3).
 template <class Real>
-inline Surface<Real> sphere_surface(const Ray<Real>& ray, const Hit<Real>& hit, const TracedSphere<Real>& sphere) {
+inline Surface<Real> sphere_surface(const Ray<Real>& ray, const Hit<Real>& hit, const TracedSphere<Real>& sphere,
+                                    bool has_uv) {
   Surface<Real> surface;
   surface.primitive = hit.primitive;
   surface.detail = hit.detail;
@@ -36,8 +37,8 @@ inline Surface<Real> sphere_surface(const Ray<Real>& ray, const Hit<Real>& hit, 
   surface.geometric_normal = normalised(surface.point - sphere.centre);
   surface.shading_normal = surface.geometric_normal;
   surface.back_face = dot(ray.direction, surface.geometric_normal) > 0;
-  surface.uv = world_map_uv(surface.geometric_normal);
-  surface.has_uv = true;
+  surface.has_uv = has_uv;
+  if (has_uv) surface.uv = world_map_uv(surface.geometric_normal);
   return surface;
 }
 
@@ -159,7 +160,7 @@ inline void put_surface(const Ray<Real>& ray, const Hit<Real>& hit, const TraceI
   const Primitive primitive = primitive_of(geometry, hit.primitive);
   switch (primitive.kind) {
   case PrimitiveKind::sphere:
-    surface = sphere_surface(ray, hit, geometry.spheres[primitive.shape]);
+    surface = sphere_surface(ray, hit, geometry.spheres[primitive.shape], inputs.maps_spheres);
     surface.material = primitive.material;
     break;
   case PrimitiveKind::triangle: {
