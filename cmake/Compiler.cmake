@@ -43,14 +43,14 @@ if(PIXELSCOPE_USE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   endif()
 endif()
 
-# Once from nothing, a dozen files at once are quicker; with a compiler cache, and after a change, files alone are.
+# Once from nothing, sixteen files at once are quicker; with a compiler cache, and after a change, files alone are.
 # Sanitized code is so slow to compile that it is never worth it.
 if(PIXELSCOPE_SANITIZE OR NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(unity_by_default ON)
 else()
   set(unity_by_default OFF)
 endif()
-option(PIXELSCOPE_UNITY "Compile a dozen files of a target as one" ${unity_by_default})
+option(PIXELSCOPE_UNITY "Compile sixteen files of a target as one" ${unity_by_default})
 
 # GCC looks for memory to free from 128 MB on; files that are compiled together need up to 1.2 GB. Where there is enough
 # for each core, leaving it alone saves a seventh of the time.

@@ -49,7 +49,7 @@ function(ps_include name scope)
   endif()
 endfunction()
 
-# ps_unity(TARGET...): compiles the files of a folder together, a dozen at a time, in a third of the time; the listings of
+# ps_unity(TARGET...): compiles the files of a folder together, sixteen at a time, in a third of the time; the listings of
 # all lessons count as one folder. So names within a folder are unique, or lie in namespaces of their own. A file that
 # Highway compiles once per SIMD target stays alone; so does, by CMake's own rule, a file with flags of its own.
 function(ps_unity)
@@ -69,9 +69,9 @@ function(ps_unity)
         if(NOT DEFINED members_${target}_${folder})
           set(members_${target}_${folder} 0)
         endif()
-        math(EXPR dozen "${members_${target}_${folder}} / 12")
+        math(EXPR group "${members_${target}_${folder}} / 16")
         math(EXPR members_${target}_${folder} "${members_${target}_${folder}} + 1")
-        set_property(SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY UNITY_GROUP ${folder}_${dozen})
+        set_property(SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY UNITY_GROUP ${folder}_${group})
       endforeach()
     endif()
   endforeach()
