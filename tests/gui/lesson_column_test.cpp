@@ -67,6 +67,14 @@ TEST(LessonColumn, AToolThatIsChosenIsShown) {
                large + "study_speed_and_accuracy/2");
 }
 
+// An experiment of the palette comes into sight, also where the step's own tool is the one that shows it.
+TEST(LessonColumn, AnExperimentOfThePaletteIsShown) {
+  expect_plays("palette",
+               "expect lesson/column text\nkey Ctrl+K\nwait frames 3\ntype bvh-holes\nwait frames 3\nkey Enter\n"
+               "wait frames 3\nexpect lesson/column tool\nexpect stability/shown bvh-holes\n",
+               large + "cgfs_05_samples/4");
+}
+
 TEST(LessonColumn, TheListingsMenuHasWhatIsAboveTheCodeElsewhere) {
   expect_plays("menu",
                "key V\nwait idle\nclick listing/copy\nwait frames 6\nexpect own/open on\n" + fits +

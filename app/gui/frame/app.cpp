@@ -226,7 +226,8 @@ void App::Parts::add_actions() {
                .run = [this] { session.navigate([](Document& document) { document.heat_range.reset(); }); },
                .enabled = [this] { return session.has_scene() && session.document().heat_range.has_value(); }});
   add_drawer_actions(actions, session, panels, my.drawer);
-  actions.offer_more([this] { return palette_entries(session, my.options, my.kept, [this] { show_options(); }); });
+  actions.offer_more(
+      [this] { return palette_entries(session, my.lessons.column, my.options, my.kept, [this] { show_options(); }); });
 }
 
 void App::Parts::open_tool(std::string_view name) {

@@ -22,8 +22,8 @@ Side side_that_it_acts_on(const Session& session, const Option& option) {
 
 }  // namespace
 
-std::vector<PaletteEntry> palette_entries(Session& session, OptionsPanelState& options, const KeptState& kept,
-                                          const std::function<void()>& show_options) {
+std::vector<PaletteEntry> palette_entries(Session& session, LessonColumn& column, OptionsPanelState& options,
+                                          const KeptState& kept, const std::function<void()>& show_options) {
   std::vector<PaletteEntry> entries;
   for (const ListedLesson& lesson : listed_lessons())
     if (lesson.fault.empty())
@@ -46,9 +46,9 @@ std::vector<PaletteEntry> palette_entries(Session& session, OptionsPanelState& o
                        scene.name + ", " + scene.keywords});
   for (const StabilityExperiment& experiment : stability_experiments())
     entries.push_back({fmt::format("experiment/{}", experiment.key), std::string(experiment.title), "experiment",
-                       [&session, &experiment] {
+                       [&session, &column, &experiment] {
                          make_room_for_study(session);
-                         show_panel(session, "stability");
+                         show_tool(session, column, "stability");
                          session.navigate([&](Document& document) { document.layout.experiment = experiment.key; });
                        },
                        fmt::format("{}, {}", experiment.key, experiment.keywords)});

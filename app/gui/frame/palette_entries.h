@@ -3,6 +3,7 @@
 
 #include "gui/input/actions.h"
 #include "gui/panels/kept/kept_panel.h"
+#include "gui/panels/lesson/lesson_panel.h"
 #include "gui/panels/options/options_panel.h"
 
 namespace ps::gui {
@@ -10,7 +11,7 @@ namespace ps::gui {
 /// What the palette finds besides the actions: lessons, options and their values, presets and bookmarks,
 /// scenes and experiments.
 /// `show_options` brings the list of options into sight.
-std::vector<PaletteEntry> palette_entries(Session& session, OptionsPanelState& options, const KeptState& kept,
-                                          const std::function<void()>& show_options);
+std::vector<PaletteEntry> palette_entries(Session& session, LessonColumn& column, OptionsPanelState& options,
+                                          const KeptState& kept, const std::function<void()>& show_options);
 
 }  // namespace ps::gui
