@@ -18,7 +18,9 @@ bool fading_lights(const Settings& s, const SceneTraits& t) { return t.attenuate
 std::string_view no_sphere_packets(const Settings& s, const SceneTraits& t, Channel channels) {
   if (t.triangles || t.solids || t.csg) return "packets of rays need a scene of spheres only";
   if (t.sphere_count > most_packet_spheres) return "packets of rays need a scene of at most 8 spheres";
-  if (!only_fast_channels(channels)) return "only scalar code stores what this view shows";
+  const bool one_ray = sampling_plan(s).mode == SamplingMode::one;  // then packets store shadows, too
+  if (!only_fast_channels(one_ray ? without(channels, Channel::shadow) : channels))
+    return "only scalar code stores what this view shows";
   if (s.projection != Projection::perspective) return "packets need projection = perspective";
   if (s.sphere_test != SphereTest::robust) return "packets need sphere-test = robust";
   if (s.self_hit != SelfHit::offset) return "packets need self-hit = offset";

@@ -22,11 +22,16 @@ Frame traced(const Scene& scene, const View& view, Settings settings, Simd simd,
   Progress progress;
   RenderRequest request;
   request.channels = Channel::ids | Channel::depth;
+  if (!scene_traits(scene).triangles && sampling_plan(settings).mode == SamplingMode::one)
+    request.channels = request.channels | Channel::shadow;  // packets store them only then
   return render_traced(scene, view, settings, request, prepared, progress);
 }
 
 bool takes_the_fast_path(const Scene& scene, const View& view, const Settings& settings, Prepared& prepared) {
-  return make_trace_inputs<float>(scene, view, settings, prepared).path.machinery == Machinery::sphere_packets;
+  const Channel channels =
+      sampling_plan(settings).mode == SamplingMode::one ? Channel::ids | Channel::shadow : Channel::ids;
+  return make_trace_inputs<float>(scene, view, settings, prepared, channels).path.machinery ==
+         Machinery::sphere_packets;
 }
 
 /// What does not depend on the tree: with triangles, SIMD searches a tree of its own, and from eight lanes on with
@@ -58,6 +63,7 @@ void expect_same_on_all_targets(const Scene& scene, const View& view, const Sett
     }
     ASSERT_TRUE(clear.ids == fast.ids);
     ASSERT_TRUE(clear.depth == fast.depth);
+    ASSERT_TRUE(clear.shadow == fast.shadow);
   }
 }
 

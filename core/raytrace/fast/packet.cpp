@@ -1,6 +1,7 @@
 #include "raytrace/fast/packet.h"
 
 #include <bit>
+#include <type_traits>
 
 #include "options/simd_choice.h"
 
@@ -78,8 +79,26 @@ HWY_INLINE M shadowed(const PacketScene& scene, const PacketSurface& surface, V 
   return hn::Ge(search(scene, ray, active, kind, count.sphere_tests).index, hn::Zero(d));
 }
 
-/// The illumination equation (shade/illumination.h) for surfaces without colours of their own for single terms.
-HWY_INLINE V3 light_at(const PacketScene& scene, const PacketSurface& surface, V index, M active, Count& count) {
+/// By lane: bit i set where light i is blocked (TracedPixel::shadow_mask). Begins with bits = 0.
+struct ShadowMasks {
+  using Lanes = hn::Rebind<std::uint32_t, D>;
+  hn::Vec<Lanes> bits;
+
+  HWY_INLINE void add(std::size_t light, M blocked) {
+    const Lanes d;
+    if (light < 32) bits = hn::Or(bits, hn::IfThenElseZero(hn::RebindMask(d, blocked), hn::Set(d, 1u << light)));
+  }
+};
+/// Where nobody asks for them.
+struct NoShadowMasks {
+  void add(std::size_t, M) {}
+};
+
+/// The illumination equation (shade/illumination.h) for surfaces without colours of their own for single terms. Adds
+/// to `masks`.
+template <class Masks>
+HWY_INLINE V3 light_at(const PacketScene& scene, const PacketSurface& surface, V index, M active, Count& count,
+                       Masks& masks) {
   const D d;
   const V zero = hn::Zero(d);
   V3 sum{zero, zero, zero};
@@ -92,7 +111,8 @@ HWY_INLINE V3 light_at(const PacketScene& scene, const PacketSurface& surface, V
                            surface.exponent,
                            surface.faint,
                            Highlight::phong};
-  for (const ShadingLight<float>& light : scene.lights) {
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const ShadingLight<float>& light = scene.lights[i];
     if (light.kind == LightKind::ambient) {
       add_light(sum, hn::Eq(zero, zero), light.colour, splat(light.intensity));
       continue;
@@ -101,7 +121,9 @@ HWY_INLINE V3 light_at(const PacketScene& scene, const PacketSurface& surface, V
     const V3 to_light = is_point ? subtract(splat(light.vector), surface.point) : splat(light.vector);
     const float t_max = is_point ? 1.0f : std::numeric_limits<float>::infinity();
     const M asking = scene.useful_only ? hn::And(active, adds_light(points, to_light)) : active;
-    const M lit = hn::AndNot(shadowed(scene, surface, index, to_light, t_max, asking, count), asking);
+    const M blocked = shadowed(scene, surface, index, to_light, t_max, asking, count);
+    masks.add(i, blocked);
+    const M lit = hn::AndNot(blocked, asking);
     if (!hn::AllFalse(d, lit)) add_casting_light(light, points, lit, sum);
   }
   return sum;
@@ -131,8 +153,9 @@ HWY_INLINE PacketHit find_nearest(const PacketScene& scene, const PacketRay& ray
   return search(scene, ray, active, Search::nearest, count.sphere_tests);
 }
 
-/// Follows the eye rays of one packet, which hit `first`, through all bounces.
-V3 trace(const PacketScene& scene, PacketRay ray, M active, const PacketHit& first, Count& count) {
+/// Follows the eye rays of one packet, which hit `first`, through all bounces. `masks` are those of the first hits.
+template <class Masks>
+V3 trace(const PacketScene& scene, PacketRay ray, M active, const PacketHit& first, Count& count, Masks& masks) {
   const D d;
   Bounce bounces[65];
   int bounce = 0;
@@ -146,7 +169,10 @@ V3 trace(const PacketScene& scene, PacketRay ray, M active, const PacketHit& fir
     if (hn::AllFalse(d, found)) return fold(scene, bounces, bounce);
     count.shadings += hn::CountTrue(d, found);
     const PacketSurface surface = surface_of(scene, ray, hit);
-    const V3 light = light_at(scene, surface, hit.index, found, count);
+    NoShadowMasks none;
+    const V3 light = std::is_same_v<Masks, NoShadowMasks> || bounce > 0
+                         ? light_at(scene, surface, hit.index, found, count, none)
+                         : light_at(scene, surface, hit.index, found, count, masks);
     const V zero = hn::Zero(d);
     now.local = {hn::Add(hn::Mul(surface.colour.x, light.x), zero), hn::Add(hn::Mul(surface.colour.y, light.y), zero),
                  hn::Add(hn::Mul(surface.colour.z, light.z), zero)};
@@ -244,6 +270,12 @@ void store(const PacketScene& scene, const Lanes& lanes, int x, int y, int width
   }
 }
 
+void store(const ShadowMasks& masks, int x, int y, int width, Frame& frame) {
+  HWY_ALIGN std::uint32_t bits[HWY_MAX_BYTES / 4];
+  hn::Store(masks.bits, ShadowMasks::Lanes(), bits);
+  for (int i = 0; i < width; ++i) frame.shadow.at(x + i, y) = bits[i];
+}
+
 /// The spheres that pixels of a row see.
 void search_row(const PacketScene& scene, const std::vector<int>& columns, int y, float* found, Count& count) {
   const D d;
@@ -282,6 +314,16 @@ HWY_INLINE PacketHit find_with_reuse(const PacketScene& scene, const PacketRay& 
           hn::Or(hn::And(missed, all.enters), hn::AndNot(missed, hit.enters))};
 }
 
+/// trace() that stores the shadows of its pixels, too. Apart, so that other pictures do not pay for it.
+HWY_NOINLINE V3 trace_with_shadows(const PacketScene& scene, const PacketRay& rays, M active, const PacketHit& first,
+                                   Count& count, int x, int y, int width, Frame& frame) {
+  ShadowMasks masks;
+  masks.bits = hn::Zero(ShadowMasks::Lanes());
+  const V3 result = trace(scene, rays, active, first, count, masks);
+  store(masks, x, y, width, frame);
+  return result;
+}
+
 }  // namespace
 
 void trace_packets(const PacketScene& scene, const TileRect& tile, const TileRect& part, Frame& frame,
@@ -290,6 +332,8 @@ void trace_packets(const PacketScene& scene, const TileRect& tile, const TileRec
   const int lanes = static_cast<int>(hn::Lanes(d));
   Lanes stored;
   Count count;
+  NoShadowMasks none;
+  const bool shadows = !frame.shadow.empty();
   const auto search_marks = [&](const std::vector<int>& columns, int y, float* found) {
     search_row(scene, columns, y, found, count);
   };
@@ -310,7 +354,8 @@ void trace_packets(const PacketScene& scene, const TileRect& tile, const TileRec
       } else {
         first = find_nearest(scene, rays, active, count);
       }
-      const V3 result = trace(scene, rays, active, first, count);
+      const V3 result = shadows ? trace_with_shadows(scene, rays, active, first, count, x, y, width, frame)
+                                : trace(scene, rays, active, first, count, none);
       const M nan = hn::Or(hn::Or(hn::IsNaN(result.x), hn::IsNaN(result.y)), hn::IsNaN(result.z));
       count.nan_pixels += hn::CountTrue(d, hn::And(active, nan));
       store_lanes(result, first, stored);
@@ -342,7 +387,8 @@ void trace_samples(const PacketScene& scene, std::span<const PacketSample> sampl
     const PacketRay rays = eye_rays(scene, places);
     const M active = hn::FirstN(d, width);
     const PacketHit hit = find_nearest(scene, rays, active, count);
-    const V3 result = trace(scene, rays, active, hit, count);
+    NoShadowMasks none;
+    const V3 result = trace(scene, rays, active, hit, count, none);
     store_lanes(result, hit, stored);
     for (std::size_t i = 0; i < width; ++i)
       results[first + i] = {
