@@ -18,7 +18,7 @@ namespace {
 
 using namespace ps;
 
-constexpr int width = 160, height = 160;
+constexpr int width = 240, height = 240;
 
 struct Pair {
   TraceInputs<float> narrow;
@@ -105,8 +105,9 @@ FalseSelfHits false_self_hits(const Scene& scene) {
   Prepared prepared;
   const Pair robust = inputs_for(scene, settings, prepared), naive = inputs_for(scene, book, prepared);
   FalseSelfHits result;
+  // Three stories of each pixel take long: every other one is looked at, as on a chessboard.
   for (int y = 0; y < height; y += test::pixel_step()) {
-    for (int x = 0; x < width; x += test::pixel_step()) {
+    for (int x = (y / test::pixel_step()) % 2; x < width; x += 2 * test::pixel_step()) {
       const SelfHits truth = self_hits(robust.wide, x, y);
       result.robust += false_ones(self_hits(robust.narrow, x, y), truth);
       result.naive += false_ones(self_hits(naive.narrow, x, y), truth);
