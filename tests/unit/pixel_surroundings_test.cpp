@@ -91,15 +91,28 @@ TEST(PixelSurroundings, ThereAreNoneWhereAnEdgeIsSeen) {
   EXPECT_TRUE(around(scene, {"renderer=ray-tracer"}, {48, 52}));
 }
 
-TEST(PixelSurroundings, ShadowsAreBordersToo) {
-  const Scene scene = load_scene("cgfs/shadows");
-  Settings settings = settings_for(scene);
+/// The whole picture with what is looked for around pixels.
+Frame ids_and_shadows(const Scene& scene, const View& view, const Settings& settings, Prepared& prepared) {
   RenderRequest request;
   request.channels = Channel::ids | Channel::shadow;
+  Progress progress;
+  return render(scene, view, settings, request, prepared, progress);
+}
+
+/// As the picture's channel has it.
+std::uint32_t shadow_mask(const SeenPixel& seen) {
+  std::uint32_t mask = 0;
+  for (const int light : seen.blocked) mask |= 1U << light;
+  return mask;
+}
+
+TEST(PixelSurroundings, ShadowsAreBordersToo) {
+  const Scene scene = load_scene("cgfs/shadows");
+  const Settings settings = settings_for(scene);
   Prepared prepared;
   Progress progress;
   const View view{scene.camera, side, side};
-  const Frame frame = render(scene, view, settings, request, prepared, progress);
+  const Frame frame = ids_and_shadows(scene, view, settings, prepared);
   int borders = 0, blocked = 0;
   for (int y = 60; y < side; y += 9)
     for (int x = 3; x < side; x += 13) {
@@ -107,9 +120,7 @@ TEST(PixelSurroundings, ShadowsAreBordersToo) {
       const auto& found = scope.surroundings();
       if (!found) continue;
       for (const SeenPixel& one : found->around) {
-        std::uint32_t mask = 0;
-        for (const int light : one.blocked) mask |= 1U << light;
-        ASSERT_EQ(mask, frame.shadow.at(one.pixel.x, one.pixel.y));
+        ASSERT_EQ(shadow_mask(one), frame.shadow.at(one.pixel.x, one.pixel.y));
         blocked += one.blocked.empty() ? 0 : 1;
       }
       if (found->edge && found->edge->here == found->edge->beyond) ++borders;
@@ -155,12 +166,10 @@ struct Compared {
 Compared compare_with_picture(const Scene& scene, const std::vector<const char*>& assignments) {
   Settings settings = settings_for(scene);
   for (const char* one : assignments) parse_assignment(one, settings);
-  RenderRequest request;
-  request.channels = Channel::ids | Channel::shadow;
   Prepared prepared;
   Progress progress;
   const View view{scene.camera, side, side};
-  const Frame frame = render(scene, view, settings, request, prepared, progress);
+  const Frame frame = ids_and_shadows(scene, view, settings, prepared);
   Compared compared;
   for (int y = 5; y < side; y += 33)
     for (int x = 3; x < side; x += 25) {
@@ -177,8 +186,7 @@ Compared compare_with_picture(const Scene& scene, const std::vector<const char*>
       EXPECT_EQ(seen->edge->pixel, *expected.edge) << where;
       std::uint32_t mask = 0;
       for (const SeenPixel& one : seen->around)
-        if (one.pixel == Vec2i{x, y})
-          for (const int light : one.blocked) mask |= 1U << light;
+        if (one.pixel == Vec2i{x, y}) mask = shadow_mask(one);
       EXPECT_EQ(mask, expected.shadow) << where;
     }
   return compared;

@@ -119,7 +119,7 @@ class Balls {
   explicit Balls(const StabilityRun& run)
       : run_(run), scene_(parse_scene(scene_text(tiny_ball(153.6, 51.2)), "balls", ".")),
         sky_(parse_scene(scene_text(sky_of_tiny_balls()), "sky", ".")) {
-    truth_ = draw(scene_, run.effort < 1 ? with(144, SamplePattern::jitter) : with(576, SamplePattern::jitter)).colour;
+    truth_ = draw(scene_, with(run.effort < 1 ? 144 : 576, SamplePattern::jitter)).colour;
   }
 
   static Settings with(int samples, SamplePattern pattern) {

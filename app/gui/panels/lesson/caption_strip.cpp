@@ -70,7 +70,7 @@ void caption_strip(Session& session, LessonShelf& shelf) {
   for (std::size_t i = 0; i < blocks.size(); ++i)
     lay_out(blocks[i], i < step.blocks.size() ? mark_of(blocks[i]) : "→", Face::caption, room.x, lines);
   const std::vector<std::size_t> starts = caption_pages(lines, lines_of_page * text_line_height(Face::caption));
-  caption.frame = ImGui::GetFrameCount();
+  caption.seen.now();
   caption.pages = static_cast<int>(starts.size());
   caption.page = std::clamp(caption.page, 0, caption.pages - 1);
   {

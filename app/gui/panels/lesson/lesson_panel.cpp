@@ -183,7 +183,7 @@ void draw_page(Session& session, LessonShelf& shelf, const std::vector<TextLine>
   for (const TextLine& line : lines) parts.push_back({line.gap, line.height, line.begins_block, line.stays_with_next});
   const auto starts = page_starts(parts, ImGui::GetContentRegionAvail().y);
   ReadPage& read = shelf.text;
-  read.frame = ImGui::GetFrameCount();
+  read.seen.now();
   read.line_length = line_length(lines);
   read.pages = static_cast<int>(starts.size());
   turn_to_option(lines, starts, shelf);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/lesson.h"
+#include "gui/base/seen.h"
 #include "gui/panels/lesson/glossary_sheet.h"
 #include "gui/panels/lesson/lesson_claims.h"
 #include "gui/panels/lesson/notes_sheet.h"
@@ -28,8 +29,8 @@ struct StepVerdict {
 struct ReadPage {
   int page = 0, pages = 1;
   bool turned_back = false;  ///< the previous step was reached from the begin of the one after it
-  int frame = -2;            ///< when it was drawn
-  double line_length = 0;    ///< characters that a full line holds; of the panel's text alone
+  Seen seen;
+  double line_length = 0;  ///< characters that a full line holds; of the panel's text alone
   std::string lesson;
   int step = 0;
 };

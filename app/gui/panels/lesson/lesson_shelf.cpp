@@ -106,9 +106,8 @@ void read_lesson(Session& session, LessonShelf& shelf, int by) {
     turn_column(shelf.column);
     return;
   }
-  const bool in_sight = read.frame + 1 >= ImGui::GetFrameCount();
   const int page = read.page + by;
-  if (in_sight && page >= 0 && page < read.pages) {
+  if (read.seen.lately() && page >= 0 && page < read.pages) {
     read.page = page;
     return;
   }

@@ -1,18 +1,7 @@
 #pragma once
-#include <imgui.h>
+#include "gui/base/seen.h"
 
 namespace ps::gui {
-
-/// In which frame something was drawn last.
-class Seen {
- public:
-  void now() { frame_ = ImGui::GetFrameCount(); }
-  /// In this frame or the one before.
-  bool lately() const { return frame_ + 1 >= ImGui::GetFrameCount(); }
-
- private:
-  int frame_ = -2;
-};
 
 /// Once per frame: stops the estimate of a tab that is no longer seen, which would take the processors from what is. It
 /// begins anew when the tab is drawn.
