@@ -45,6 +45,18 @@ TEST(LessonColumn, AQuestionForALineLeadsToTheListingAndBack) {
                  large + "cgfs_02_basic_ray_tracing/10", size);
 }
 
+// Of the second one no line has values at the pixel, which is said above the code.
+TEST(LessonColumn, AQuestionForALineLeavesTheListingItsLines) {
+  for (const std::string size : {"1024x768", "1366x768"})
+    for (const std::string step : {"cgfs_02_basic_ray_tracing/10", "cgfs_07_filled_triangles/8"})
+      expect_plays("lines-" + size,
+                   "click question/turn\nwait idle\nexpect listing/lines > 23\n" + fits +
+                       "click listing/line-19/pick\nexpect listing/lines > 23\nexpect question/answer \"Answer: line "
+                       "19\"\n" +
+                       fits,
+                   large + step, size);
+}
+
 TEST(LessonColumn, ReadingOnComesToTheToolBehindTheLastPage) {
   std::string pages;
   expect_plays(

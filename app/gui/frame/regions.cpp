@@ -55,7 +55,7 @@ bool divider(const char* name, SplitterAxis axis, ImVec2 at, float length, float
 
 void Regions::draw(const Area& area, bool offers_first_look) {
   offers_first_look_ = offers_first_look;
-  answered_ = false;
+  answered_ = asks_in_line_ = false;
   my_.lessons.column.shared = false;
   if (!session_.document().layout.filled.empty()) return filled(area);
   switch (session_.document().mode) {
@@ -141,7 +141,8 @@ void Regions::question(const Area& area, bool pending) {
   bool turned = false;
   if (asked.asked_beside_text(session_) &&
       (pending ? asked.question()->kind != AskKind::pixel : asked.bug_shown(session_)))
-    turned = ask_lesson_question(session_, asked, ask_place());
+    turned =
+        ask_lesson_question(session_, asked, my_.lessons.column.shared ? AskPlace::below_text : AskPlace::beside_tool);
   else if (pending)
     predict_panel(session_, my_.predict);
   else
@@ -152,12 +153,6 @@ void Regions::question(const Area& area, bool pending) {
   ImGui::EndChild();
   ImGui::EndChild();
   if (turned) turn_column(my_.lessons.column);
-}
-
-AskPlace Regions::ask_place() const {
-  const LessonColumn& column = my_.lessons.column;
-  if (!column.shared) return AskPlace::beside_tool;
-  return column.shows == ColumnShows::text ? AskPlace::below_text : AskPlace::below_tool;
 }
 
 void Regions::lesson_text(const Area& area) {
@@ -204,21 +199,19 @@ bool Regions::column_head() {
   return false;
 }
 
-/// A question for a line of the listing is answered there: its sentence above, its controls below. Returns what room is
-/// left between them.
-Area Regions::inside_line_question(const Area& area) {
+/// A question for a line of the listing is answered there. It takes the window's last line, so that the code keeps its
+/// own. Returns what room is left for the listing.
+Area Regions::above_line_question(const Area& area) {
   const LessonQuestions& asked = *my_.predict.lesson;
   if (!asked.asked_beside_text(session_) || asked.question()->kind != AskKind::bug) return area;
-  Area room = above_question(area);
-  if (!asked.bug_shown(session_)) return room;  // below is why there is nothing to answer
-  const float gap = px(4), margin = px(region_padding);
-  const float height = question_reminder_height(*asked.question(), area.width() - 2 * margin) + 2 * gap;
-  begin_region(session_, "reminder", {area.min, {area.max.x, area.min.y + height}}, {}, RegionPadding::tight);
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + gap);
-  question_reminder(*asked.question());
-  ImGui::EndChild();
-  room.min.y += height;
-  return room;
+  asks_in_line_ = asked.bug_shown(session_);
+  return asks_in_line_ ? area : above_question(area);  // which says why there is nothing to answer
+}
+
+bool Regions::question_in_line() {
+  if (!asks_in_line_) return false;
+  if (ask_lesson_question(session_, *my_.predict.lesson, AskPlace::in_line)) turn_column(my_.lessons.column);
+  return true;
 }
 
 /// The place that text and tool share, with tabs that choose.
@@ -233,7 +226,7 @@ void Regions::column(const Area& area) {
   ImGui::EndChild();
   Area below{{area.min.x, area.min.y + head}, area.max};
   if (column.shows == ColumnShows::text) return titled_text(below, {});
-  below = inside_line_question(below);
+  below = above_line_question(below);
   begin_region(session_, "stage", below, {}, RegionPadding::tight);
   fill = tool(staged(), {.filled = false, .headed = true}) || fill;
   ImGui::EndChild();

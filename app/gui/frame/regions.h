@@ -20,6 +20,9 @@ class Regions {
 
   /// Draws all of it. `offers_first_look`: the offer to lead a newcomer round is above the options.
   void draw(const Area& area, bool offers_first_look);
+  /// In the window's last line, below them: the question for a line of the listing, where the listing has the place of
+  /// the text. Answers whether there is one.
+  bool question_in_line();
   /// How the offer was answered in this frame.
   bool first_look_answered() const { return answered_; }
 
@@ -36,8 +39,7 @@ class Regions {
   void stage(const Area& area, bool folded);
   void question(const Area& area, bool pending);
   Area above_question(const Area& area);
-  Area inside_line_question(const Area& area);
-  AskPlace ask_place() const;
+  Area above_line_question(const Area& area);
   void lesson_text(const Area& area);
   void titled_text(const Area& area, const std::string& title);
   void column(const Area& area);
@@ -58,7 +60,7 @@ class Regions {
   PanelStates& my_;
   const std::vector<Panel>& panels_;
   float question_height_ = 270;  ///< of a lesson's question with its answers, window pixels
-  bool offers_first_look_ = false, answered_ = false;
+  bool offers_first_look_ = false, answered_ = false, asks_in_line_ = false;
   float lesson_share_ = 0.6f;  ///< of the left region's height, while a lesson is open
 };
 

@@ -131,8 +131,9 @@ void status_bar(Session& session, const PicturesState& pictures, StatusBarState&
   else if (state.busy_since < 0)
     state.busy_since = now;
   const bool shown = working && now - state.busy_since >= patience;
-  const float progress_width = px(330), gap = px(12);
-  const float left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
+  const float left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x, gap = px(12);
+  if (width < px(150)) return;  // something else needs the line
+  const float progress_width = std::min(px(330), width);
   const float room = width - (shown ? progress_width + gap : 0);
   const std::string news = newest_news(session);
   const float news_width = news.empty() ? 0 : std::min(ImGui::CalcTextSize(news.c_str()).x + px(10), room * 0.6f);

@@ -3,6 +3,7 @@
 #include "base/number_text.h"
 #include "gui/panels/story/lesson_question.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/shorten.h"
 #include "gui/widgets/text_field.h"
 #include "gui/widgets/widgets.h"
 
@@ -107,42 +108,56 @@ bool turn_button(AskPlace place, std::string_view label, Emphasis emphasis) {
       {.tooltip = text ? "The listing is where you click the line (V)." : "What the step says (V).", .disabled = {}});
 }
 
-}  // namespace
+constexpr std::string_view back_to_text = "Read the task";
 
-void question_reminder(const LessonQuestion& question) {
-  const NameScope scope("question");
-  question_text(question);
-}
-
-float question_reminder_height(const LessonQuestion& question, float width) {
+/// In front of the buttons, in one line.
+void question_in_line(const LessonQuestion& question) {
   const FontScope font(Face::bold);
-  return text_height(in_lines(question.text, width));
+  const float gap = px(14);
+  float room = ImGui::GetContentRegionAvail().x;
+  for (const std::string_view label : {std::string_view("Answer: line 1000"), std::string_view("Skip"), back_to_text})
+    room -= button_width(label) + gap;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(whole_words(question.text, room).c_str());
+  tooltip(question.text);
+  controls().record("text", question.text);
+  ImGui::SameLine(0, gap);
 }
+
+/// What a question has besides its sentence and its buttons. Answers whether Enter ended the typing of an answer.
+bool ask_with_controls(const Session& session, LessonQuestions& questions) {
+  const LessonQuestion& question = *questions.question();
+  switch (question.kind) {
+  case AskKind::choice:
+    ask_choice(question, questions.answer);
+    return false;
+  case AskKind::number:
+    return ask_number(question, questions);
+  case AskKind::click:
+    ask_click(session, questions);
+    return false;
+  case AskKind::bug:  // the listing is where one clicks
+  case AskKind::pixel:
+    return false;
+  }
+  return false;
+}
+
+}  // namespace
 
 bool ask_lesson_question(Session& session, LessonQuestions& questions, AskPlace place) {
   const NameScope scope("question");
   const LessonQuestion& question = *questions.question();
   const bool turns = question.kind == AskKind::bug && place != AskPlace::beside_tool;
-  if (!turns || place == AskPlace::below_text) {
+  bool entered = false;
+  if (place == AskPlace::in_line) {
+    question_in_line(question);
+  } else {
     question_text(question);
     ImGui::Spacing();
+    entered = ask_with_controls(session, questions);
+    if (!turns) ImGui::Spacing();
   }
-  bool entered = false;
-  switch (question.kind) {
-  case AskKind::choice:
-    ask_choice(question, questions.answer);
-    break;
-  case AskKind::number:
-    entered = ask_number(question, questions);
-    break;
-  case AskKind::click:
-    ask_click(session, questions);
-    break;
-  case AskKind::bug:  // the listing is where one clicks
-  case AskKind::pixel:
-    break;
-  }
-  if (!turns) ImGui::Spacing();
   const auto right = questions.right();
   const std::string failure = questions.failure(), given = answer_text(questions);
   const std::string reason = !failure.empty() ? failure
@@ -165,7 +180,7 @@ bool ask_lesson_question(Session& session, LessonQuestions& questions, AskPlace 
              {.tooltip = "Goes on without an answer; nothing is kept.", .disabled = {}}))
     questions.take(session, "", {});
   if (turns && !leads_on) {
-    const std::string_view label = place == AskPlace::below_text ? "Listing" : "Read the task";
+    const std::string_view label = place == AskPlace::below_text ? "Listing" : back_to_text;
     same_line_if_room(button_width(label));
     turned = turn_button(place, label, Emphasis::quiet);
   }

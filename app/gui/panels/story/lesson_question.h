@@ -73,17 +73,13 @@ class LessonQuestions {
   BackgroundStudy<MeasuredAnswer> measuring_;
 };
 
-/// Where a question is asked: beside the step's tool, or below what is shown of text and tool in the place they share.
-enum class AskPlace { beside_tool, below_text, below_tool };
+/// Where a question is asked: beside the step's tool; below the text, where text and tool share a place; or, of a
+/// question for a line of the listing, while the listing has that place, in one line.
+enum class AskPlace { beside_tool, below_text, in_line };
 
 /// Asks a question that is not about the picked pixel's story, with controls for the answer. Answers whether the other
 /// one of text and tool is asked for: a question for a line of the listing has a button for that.
 bool ask_lesson_question(Session& session, LessonQuestions& questions, AskPlace place);
-
-/// The question's own sentence, which stands above the tool that it is about while its text is not shown, and the
-/// height of that at this width, window pixels.
-void question_reminder(const LessonQuestion& question);
-float question_reminder_height(const LessonQuestion& question, float width);
 
 /// Says that the open question is about another pixel, or other options, than are shown, with a button that leads back.
 void way_back_to_question(Session& session, const LessonQuestions& questions);

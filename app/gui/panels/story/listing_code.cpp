@@ -245,6 +245,10 @@ std::optional<ListingStep> listing_code(const std::vector<ListingRow>& rows, boo
     const auto named = marks.marked ? std::nullopt : routine_named(rows, marks.routine);
     LookedFor places;
     int first_seen = 0;
+    if (!marks.remark.empty()) {
+      const FontScope words(Face::small);
+      quiet_text(marks.remark);
+    }
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const float at = ImGui::GetCursorPosY();
       if (first_seen == 0 && at + px(2) >= ImGui::GetScrollY()) first_seen = rows[i].number;

@@ -16,6 +16,7 @@ struct LineMarks {
   std::map<int, std::string> faults{};  ///< what a compiler says of lines, by their numbers
   std::string elsewhere{};              ///< what it says of no line that is shown
   std::string routine{};                ///< name of the one to look at first; empty = that of the first values
+  std::string remark{};                 ///< above the code, and scrolled with it; may be empty
 };
 
 /// The ground of a line: a click on it answers the open question. Leaves the cursor where it was.

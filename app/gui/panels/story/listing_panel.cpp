@@ -244,11 +244,11 @@ bool listing_panel(Session& session, ListingPanelState& state, const Context& co
     if (const auto message = state.worker.message(); !message.empty()) quiet_text(message);
     return fill;
   }
-  if (state.shown_story->listing->watches.empty())
-    quiet_text("No line of this routine reached the pixel: it draws nothing here.");
   if (!context.headed) ImGui::Spacing();
   LineMarks marks = side == Side::a ? state.marks : LineMarks{};
   marks.routine = asked_routine(state);
+  if (state.shown_story->listing->watches.empty())
+    marks.remark = "No line of this routine reached the pixel: it draws nothing here.";
   const auto stepped = listing_code(state.rows, std::exchange(state.reveal, false), marks);
   if (stepped) {
     state.view->step(stepped->row, stepped->by);
