@@ -9,7 +9,7 @@ std::vector<Option> camera_rows() {
                                               "CGFS ch. 2", "Too small: cuts off the horizon."},
                                      .keywords = "far plane, clip plane, frustum, t max, z far, draw distance",
                                      .truth = as_set()},
-                                    1e-3, 1e30, OptionScale::logarithmic, "d");
+                                    1e-3, no_far_limit, OptionScale::logarithmic, "d");
   far.sweep_values = "10,100,1000,10000";  // evenly spread over the range, most values would cut nothing
   return {
       choice<&Settings::sample_position>(

@@ -55,6 +55,9 @@ enum class Simd { automatic, off, sse4, avx2, avx512 };
 enum class Illumination { book, radiometric };
 enum class TransparencyShare { fixed, fresnel };
 
+/// From this on Settings::far limits nothing.
+inline constexpr double no_far_limit = 1e30;
+
 /// Every technique that can be chosen, as a plain value. Each member has one row in the option table
 /// (options/option.h), which holds its key, label, range and help; the defaults are here and nowhere else.
 struct Settings {
@@ -73,8 +76,8 @@ struct Settings {
   Projection projection = Projection::perspective;
   ViewportFit viewport_fit = ViewportFit::height;
   FieldOfViewSpan field_of_view_span = FieldOfViewSpan::edges;
-  double near = 1;    ///< along the camera's forward axis, in units of projection_plane_d (the book's t_min = 1)
-  double far = 1e30;  ///< same units; anything beyond is not seen
+  double near = 1;  ///< along the camera's forward axis, in units of projection_plane_d (the book's t_min = 1)
+  double far = no_far_limit;    ///< same units; anything beyond is not seen
   bool camera_relative = true;  ///< the camera position is subtracted from vertices before they are rounded to float
 
   Clipping clipping = Clipping::full;

@@ -39,7 +39,7 @@ Reason needs_depth_fail(const Settings& s, const SceneTraits& t) {
 
 Reason needs_cut_volumes(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_depth_fail(s, t)) return reason;
-  if (s.far >= 1e30) return "needs a far limit";
+  if (s.far >= no_far_limit) return "needs a far limit";
   return {};
 }
 

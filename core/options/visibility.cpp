@@ -37,7 +37,7 @@ Reason needs_light_passes(const Settings& s, const SceneTraits& t) {
 /// Only 1 / z can represent every depth up to infinity.
 Reason needs_range(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_depth_buffer(s, t)) return reason;
-  if (s.depth_value != DepthValue::inverse_z && s.far >= 1e30)
+  if (s.depth_value != DepthValue::inverse_z && s.far >= no_far_limit)
     return "needs a far limit, unless depth-value = inverse-z";
   return {};
 }

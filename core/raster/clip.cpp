@@ -5,9 +5,6 @@
 namespace ps::raster {
 namespace {
 
-/// From this on the far limit has no effect; the option's default.
-constexpr double no_far_limit = 1e30;
-
 template <class Real>
 ClipPlane<Real> make_plane(Vec3d normal, double offset, RejectReason reason, std::string_view name) {
   const double length = std::sqrt(dot(normal, normal));

@@ -54,7 +54,6 @@ struct DepthCode {
 /// `unit` is the distance of the projection plane, in which near and far are measured. A format from 0 to 1 needs a far
 /// limit unless it holds 1 / z; without one the plain format is used.
 inline DepthCode make_depth_code(const Settings& settings, double unit) {
-  constexpr double no_far_limit = 1e30;
   DepthCode code;
   code.value = settings.depth_value;
   code.bits = settings.depth_bits;
