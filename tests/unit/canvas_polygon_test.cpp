@@ -16,8 +16,9 @@ namespace {
 
 constexpr int polygon_side = 40;
 
-Frame drawn(const std::string& text) {
-  const Scene scene = parse_scene("background = black\n" + text, "polygon.scene", ".");
+Scene scene_of(const std::string& text) { return parse_scene("background = black\n" + text, "polygon.scene", "."); }
+
+Frame drawn(const Scene& scene) {
   Settings settings = settings_for(scene);
   settings.renderer = Renderer::rasterizer;
   Prepared prepared;
@@ -26,6 +27,8 @@ Frame drawn(const std::string& text) {
   request.channels = Channel::overdraw;
   return render(scene, {scene.camera, polygon_side, polygon_side}, settings, request, prepared, progress);
 }
+
+Frame drawn(const std::string& text) { return drawn(scene_of(text)); }
 
 std::string list_of(const std::vector<Vec2d>& points) {
   std::string list;
@@ -64,6 +67,31 @@ TEST(CanvasPolygon, CoversEachPixelOfItsInsideOnce) {
           EXPECT_NEAR(frame.colour.at(x, y).x, least > 0 ? 1 : 0, 1e-6);
         }
       EXPECT_GT(inside, corners == 3 ? 200 : 350);
+    }
+}
+
+// The two edges that lead to a vertex far away are parallel in the picture.
+TEST(CanvasPolygon, CoversWhatLiesTowardsAVertexFarAway) {
+  for (const std::string precision : {"float", "double"})
+    for (const double away : {1e6, 1e37, 1e300}) {
+      Scene scene = scene_of("settings { precision = " + precision +
+                             " }\ntriangle { vertices = [(-10.3, -12.2), (12.4, -12.2), (-9, 9)] color = red }");
+      scene.canvas_items.edit([away](std::vector<CanvasItem>& items) {
+        std::get<CanvasTriangle>(items[0]).points[2] = {-away, away};
+      });
+      const Frame frame = drawn(scene);
+      int inside = 0;
+      for (int y = 0; y < polygon_side; ++y)
+        for (int x = 0; x < polygon_side; ++x) {
+          const Vec2d p{x + 0.5 - polygon_side / 2.0, polygon_side / 2.0 - y - 0.5};
+          const double least =
+              std::min({p.y + 12.2, (p.x + p.y + 22.5) / std::sqrt(2.0), (0.2 - p.x - p.y) / std::sqrt(2.0)});
+          if (std::abs(least) < 0.02) continue;
+          inside += least > 0;
+          EXPECT_EQ(frame.overdraw.at(x, y), least > 0 ? 1u : 0u)
+              << precision << ", " << away << " at " << x << ", " << y;
+        }
+      EXPECT_GT(inside, 350);
     }
 }
 

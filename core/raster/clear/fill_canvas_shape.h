@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <type_traits>
 
 #include "image/mixing.h"
@@ -127,13 +128,18 @@ void fill_piece(const Pass<Real>& pass, const CanvasTriangle& item, const std::a
 template <class Real, class Recorder>
 void fill_triangle(const Pass<Real>& pass, const CanvasTriangle& item, Target<Real>& target, Recorder& recorder,
                    PolygonNote<Recorder>& note) {
+  // The difference of two coordinates is still a number.
+  constexpr double farthest = std::numeric_limits<Real>::max() / 4;
+  const auto within = [farthest](double coordinate) {
+    return static_cast<Real>(std::clamp(coordinate, -farthest, farthest));
+  };
   ClipPolygon<Real> polygon;
   for (std::size_t k = 0; k < 3; ++k) {
     Vec3<Real> weights(0);
     weights[static_cast<int>(k)] = 1;
-    polygon.push({{static_cast<Real>(item.points[k].x) + pass.projection.centre.x,
-                   pass.projection.centre.y - static_cast<Real>(item.points[k].y), 0},
-                  weights});
+    polygon.push(
+        {{within(item.points[k].x) + pass.projection.centre.x, pass.projection.centre.y - within(item.points[k].y), 0},
+         weights});
   }
   bool split = false;
   if (!cut_to_guard_band(polygon, split)) return;
