@@ -4,6 +4,8 @@
 set(build_flags_dir core/study/stability/build_flags)
 set_source_files_properties(${build_flags_dir}/unoptimised.cpp PROPERTIES COMPILE_OPTIONS "-O0")
 set_source_files_properties(${build_flags_dir}/fast.cpp PROPERTIES COMPILE_OPTIONS "-O2;-ffast-math")
+# Where neither has flags of its own, as with clang, they are still two files: each names the kernel after itself.
+set_source_files_properties(${build_flags_dir}/plain.cpp ${build_flags_dir}/x87.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 set(fma_flags "-ffp-contract=fast")
 set(unfused_flags "-ffp-contract=off")
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")

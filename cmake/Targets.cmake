@@ -25,6 +25,19 @@ function(ps_program name)
   endif()
 endfunction()
 
+# ps_compile_quickly(NAME): for what takes no time to run, as the work is done in libraries: optimised less, and under a
+# sanitizer not at all, where that is a third of the time to compile.
+function(ps_compile_quickly name)
+  if(NOT TARGET ${name})
+    return()
+  endif()
+  if(PIXELSCOPE_SANITIZE)
+    target_compile_options(${name} PRIVATE -O0)
+  else()
+    target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
+endfunction()
+
 # ps_link and ps_include: as target_link_libraries and target_include_directories, for targets that may be absent or
 # empty.
 function(ps_scope name given result)

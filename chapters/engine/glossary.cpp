@@ -14,7 +14,7 @@ namespace ps {
 namespace {
 
 constexpr std::size_t largest_glossary = 1 << 20;
-constexpr std::string_view heading = "## ";
+constexpr std::string_view entry_mark = "## ";
 
 /// What words are compared by: their case and hyphens do not count, so that a link can write hyphens for blanks.
 std::string key_of_words(std::string_view words) {
@@ -45,8 +45,8 @@ std::vector<RawEntry> raw_entries(std::string_view text) {
   std::vector<RawEntry> entries;
   for (int line = 1; !text.empty(); ++line) {
     const std::string_view here = take_line(text);
-    if (here.starts_with(heading))
-      entries.push_back({words_in_heading(here.substr(heading.size())), line, {}});
+    if (here.starts_with(entry_mark))
+      entries.push_back({words_in_heading(here.substr(entry_mark.size())), line, {}});
     else if (!entries.empty())
       entries.back().text.append(here).append("\n");
   }
@@ -86,7 +86,7 @@ std::vector<GlossaryEntry> parse_glossary(std::string_view text, const std::stri
   std::vector<GlossaryEntry> entries;
   std::map<std::string, std::string> seen;
   for (const RawEntry& raw : raw_entries(text)) {
-    const SourcePlace place{file, raw.line, static_cast<int>(heading.size()) + 1};
+    const SourcePlace place{file, raw.line, static_cast<int>(entry_mark.size()) + 1};
     if (raw.words.empty()) throw InputError(place, "no term", "## term; other forms");
     const std::string& term = raw.words.front();
     if (!entries.empty() && in_lower_case(entries.back().term) >= in_lower_case(term))

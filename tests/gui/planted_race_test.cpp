@@ -5,10 +5,11 @@
 #include <cstdlib>
 #include <thread>
 
+#include "base/sanitizers.h"
+
 namespace planted_race_test {
 namespace {
 
-#ifdef __SANITIZE_THREAD__
 /// Two threads that write one number.
 void race() {
   int shared = 0;
@@ -19,12 +20,10 @@ void race() {
 }
 
 TEST(PlantedRace, IsReported) {
+  if (!ps::with_thread_sanitizer) GTEST_SKIP() << "not built with the thread sanitizer";
   testing::FLAGS_gtest_death_test_style = "threadsafe";
   EXPECT_DEATH(race(), "data race");
 }
-#else
-TEST(PlantedRace, IsReported) { GTEST_SKIP() << "not built with the thread sanitizer"; }
-#endif
 
 }  // namespace
 }  // namespace planted_race_test

@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "base/sanitizers.h"
+
 namespace ps::test {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr int trial_divisor = 8;
-#else
-inline constexpr int trial_divisor = 1;
-#endif
+inline constexpr int trial_divisor = with_address_sanitizer || with_thread_sanitizer ? 8 : 1;
 
 /// `count` tries, an eighth of them (at least one) under a sanitizer.
 constexpr int trials(int count) { return std::max(1, count / trial_divisor); }

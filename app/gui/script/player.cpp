@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/atomic_file.h"
+#include "base/sanitizers.h"
 #include "gui/base/record.h"
 #include "gui/base/values.h"
 #include "gui/script/expectation.h"
@@ -21,11 +22,7 @@ namespace ps::gui {
 namespace {
 
 // Work takes some twenty times as long under the thread sanitizer.
-#ifdef __SANITIZE_THREAD__
-constexpr std::chrono::seconds wait_limit{900};
-#else
-constexpr std::chrono::seconds wait_limit{120};
-#endif
+constexpr std::chrono::seconds wait_limit{with_thread_sanitizer ? 900 : 120};
 /// Frames until ImGui has seen an event and drawn what follows from it.
 constexpr int frames_after_input = 2;
 /// Frames in which a control may be scrolled to or its section may open.

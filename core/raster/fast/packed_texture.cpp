@@ -17,7 +17,7 @@ constexpr bool parts_are_quotients() {
 static_assert(parts_are_quotients());
 
 /// The texel as PackedTexture::bytes holds it, or nothing where some channel is not part_of_255() of a byte.
-std::optional<std::uint32_t> texel_bytes(const Vec3f& texel) {
+std::optional<std::uint32_t> values_per_texel(const Vec3f& texel) {
   std::uint32_t bytes = 0;
   for (int channel = 0; channel < 3; ++channel) {
     const float value = texel[channel];
@@ -44,7 +44,7 @@ bool pack_bytes(const Image<Vec3f>& image, TextureWrap wrap, PackedTexture& pack
   bool fits = true;
   for (int y = 0; y < image.height() && fits; ++y)
     add_row(image.row(y), wrap, [&](const Vec3f& texel) {
-      const std::optional<std::uint32_t> bytes = texel_bytes(texel);
+      const std::optional<std::uint32_t> bytes = values_per_texel(texel);
       fits = fits && bytes;
       packed.bytes.push_back(bytes.value_or(0));
     });
@@ -57,11 +57,11 @@ bool pack_bytes(const Image<Vec3f>& image, TextureWrap wrap, PackedTexture& pack
 
 PackedTexture pack_texture(const MipChain& chain, TextureWrap wrap) {
   PackedTexture packed;
-  constexpr std::size_t four = 4;
+  constexpr std::size_t values_per_texel = 4;
   std::size_t total = 0;
   for (int level = 0; level < chain.levels(); ++level)
     total += static_cast<std::size_t>(chain.level(level).width() + 2) *
-             static_cast<std::size_t>(chain.level(level).height()) * four;
+             static_cast<std::size_t>(chain.level(level).height()) * values_per_texel;
   const auto levels = static_cast<std::size_t>(chain.levels());
   if (total > std::size_t{std::numeric_limits<std::int32_t>::max()} || levels > PackedTexture::most_levels ||
       std::max(chain.base->width(), chain.base->height()) >= PackedTexture::most_texels)
@@ -78,7 +78,7 @@ PackedTexture pack_texture(const MipChain& chain, TextureWrap wrap) {
   packed.texels.reserve(total);
   for (std::size_t i = 0; i < levels; ++i) {
     const Image<Vec3f>& image = chain.level(static_cast<int>(i));
-    packed.first[i] = static_cast<std::int32_t>(packed.texels.size() + four);
+    packed.first[i] = static_cast<std::int32_t>(packed.texels.size() + values_per_texel);
     for (int y = 0; y < image.height(); ++y)
       add_row(image.row(y), wrap, [&](const Vec3f& texel) {
         packed.texels.insert(packed.texels.end(), {texel.x, texel.y, texel.z, 0.0f});
