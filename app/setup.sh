@@ -12,6 +12,7 @@ build_packages=(
 window_packages=(libegl1 libgl1 libgl1-mesa-dri)  # OpenGL for the window, in software if need be
 display_packages=(xvfb)                           # a display where there is none
 test_packages=(clang-format libgtest-dev librapidcheck-dev openbox xdotool)
+sanitizer_packages=(clang libclang-rt-dev)        # a compiler whose sanitizers and fuzzer are used
 emulated_packages=(qemu-user)                     # other processors
 web_packages=(chromium)                           # a browser for the handouts
 tidy_packages=(clang clang-tidy libc++-dev libc++abi-dev)
