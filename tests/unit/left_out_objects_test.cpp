@@ -57,7 +57,7 @@ TEST(LeftOutObjects, ChangeNothingForTheOthersAndAreReported) {
       EXPECT_TRUE(std::equal(a.colour.pixels().begin(), a.colour.pixels().end(), b.colour.pixels().begin()))
           << assignment;
     }
-    const int step = 5 + test::trial_divisor;
+    const int step = 6 * static_cast<int>(test::list_step);
     for (int y = 1; y < 60; y += step)
       for (int x = 1; x < 60; x += step) {
         const PixelStory story = story_of(with, settings, {x, y}, 60);

@@ -147,7 +147,7 @@ TEST(Listing, TraceGivesTheColourOfThePicture) {
     Prepared prepared;
     Progress progress;
     for (int y = 3; y < 100; y += 16)
-      for (int x = 1; x < 120; x += 13) {
+      for (int x = 1; x < 120; x += 13 * static_cast<int>(test::list_step)) {
         const PixelStory story = inspect(scene, view, settings, {x, y}, prepared, progress);
         EXPECT_EQ(story.linear, frame.colour_double.at(x, y)) << name << " " << x << "," << y;
         EXPECT_FALSE(story.verdict.empty());
@@ -211,7 +211,7 @@ TEST(Listing, EventsEndInItsColour) {
     Progress progress;
     int compared = 0;
     for (int y = 2; y < 100; y += 17)
-      for (int x = 4; x < 120; x += 7) {
+      for (int x = 4; x < 120; x += 7 * static_cast<int>(test::list_step)) {
         const PixelStory story = inspect(scene, view, settings, {x, y}, prepared, progress);
         if (story.events.size() < 2) continue;  // nothing reached the pixel
         ++compared;

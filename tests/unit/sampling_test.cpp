@@ -198,9 +198,14 @@ TEST(Sampling, SubsamplingMissesThinWires) {
   const auto wire_pixels = [&](int step) {
     Settings settings;
     settings.subsampling = step;
-    const Frame frame = traced(scene, settings, 600, 600, Channel::ids);
+    Prepared prepared;
+    Progress progress;
+    RenderRequest request;
+    request.channels = Channel::ids;
+    request.region = TileRect{0, 200, 600, 256};  // nothing but wires before the wall
+    const Frame frame = render_traced(scene, View{scene.camera, 600, 600}, settings, request, prepared, progress);
     int count = 0;
-    for (int y = 200; y < 256; ++y)  // nothing but wires before the wall
+    for (int y = 200; y < 256; ++y)
       for (int x = 0; x < 600; ++x) {
         const auto object = frame.ids.at(x, y).object;
         count += object >= 3 && object <= 8;

@@ -10,6 +10,7 @@
 #include "options/scene_settings.h"
 #include "options/waking.h"
 #include "scene/load.h"
+#include "support/trials.h"
 
 namespace ps {
 namespace {
@@ -22,6 +23,13 @@ Settings with(const std::vector<std::string>& assignments) {
   Settings settings;
   for (const std::string& assignment : assignments) parse_assignment(assignment, settings);
   return settings;
+}
+
+/// All, or a few under a sanitizer.
+std::vector<BuiltinScene> scenes() {
+  std::vector<BuiltinScene> some;
+  for (std::size_t i = 0; i < builtin_scenes().size(); i += test::trial_divisor) some.push_back(builtin_scenes()[i]);
+  return some;
 }
 
 /// Settings that switch much off.
@@ -43,7 +51,7 @@ const std::vector<std::vector<std::string>>& starts() {
 
 TEST(Waking, WhatIsOfferedMakesTheOptionAct) {
   int offered = 0;
-  for (const BuiltinScene& builtin : builtin_scenes()) {
+  for (const BuiltinScene& builtin : scenes()) {
     const SceneTraits traits = scene_traits(load_scene(builtin.name));
     for (const auto& start : starts()) {
       const Settings settings = with(start);
@@ -67,7 +75,7 @@ TEST(Waking, WhatIsOfferedMakesTheOptionAct) {
       }
     }
   }
-  EXPECT_GT(offered, 1000);
+  EXPECT_GT(offered, 1000 / test::trial_divisor);
 }
 
 /// Options of a renderer that this program does not have act nowhere in it.
@@ -85,7 +93,7 @@ bool has_a_renderer(const Option& option) {
 
 /// Without a switch only what the scene has not got: no combination of settings would help.
 TEST(Waking, OnlyTheSceneCanLackMore) {
-  for (const BuiltinScene& builtin : builtin_scenes()) {
+  for (const BuiltinScene& builtin : scenes()) {
     const SceneTraits traits = scene_traits(load_scene(builtin.name));
     for (const auto& start : starts())
       for (const Option& option : option_table()) {
