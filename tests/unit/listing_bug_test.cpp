@@ -13,6 +13,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/run_cli.h"
+#include "support/trials.h"
 #include "textbook/listing_source.h"
 #include "textbook/listing_view.h"
 
@@ -148,8 +149,9 @@ TEST(ListingBug, TraceGivesTheColourOfThePicture) {
     set_bug(settings, bug.key);
     const Frame frame = render(scene, view, settings);
     int differing = 0;
-    for (int y = 2; y < 120; y += 7)
-      for (int x = 1; x < 120; x += 7) {
+    constexpr int step = 7 * static_cast<int>(test::list_step);
+    for (int y = 2; y < 120; y += step)
+      for (int x = 1; x < 120; x += step) {
         const Vec3d traced = trace_listing(scene, view, settings, {x, y}).linear, drawn = frame.colour_double.at(x, y);
         if (traced != drawn && !(has_nan(traced) && has_nan(drawn))) ++differing;
       }
