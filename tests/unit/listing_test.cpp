@@ -170,7 +170,7 @@ TEST(Listing, TraceNeedsOnlyWhatIsNearThePixel) {
       Settings settings = textbook(scene);
       settings.listing = static_cast<int>(&listing - listings().data()) + 1;
       settings.shadow_map_size = 32;  // each trace draws it anew
-      const int step = scene.geometry->objects.size() > 100 ? 45 : test::trial_divisor > 1 ? 34 : 17;
+      const int step = scene.geometry->objects.size() > 100 ? 45 : 17;
       for (int y = 1; y < 100; y += step)
         for (int x = 2; x < 150; x += step + 6) {
           const auto all = trace_listing(scene, view, settings, {x, y}, &progress, TracedTriangles::all);
@@ -211,7 +211,7 @@ TEST(Listing, EventsEndInItsColour) {
     Progress progress;
     int compared = 0;
     for (int y = 2; y < 100; y += 17)
-      for (int x = 4; x < 120; x += 7 * static_cast<int>(test::list_step)) {
+      for (int x = 4; x < 120; x += 7) {
         const PixelStory story = inspect(scene, view, settings, {x, y}, prepared, progress);
         if (story.events.size() < 2) continue;  // nothing reached the pixel
         ++compared;
