@@ -28,7 +28,7 @@ if(PIXELSCOPE_SANITIZE)
   add_compile_options(-fsanitize=${PIXELSCOPE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${PIXELSCOPE_SANITIZE} -fno-sanitize-recover=all)
   if(PIXELSCOPE_SANITIZE MATCHES "address.*undefined" AND NOT PIXELSCOPE_FUZZ)
-    # What these two look for the address sanitizer finds as well; kernels take a fifth longer to compile with them.
+    # What these two look for the address sanitizer finds as well; kernels take a quarter longer to compile with them.
     add_compile_options(-fno-sanitize=null,object-size)
   endif()
 endif()

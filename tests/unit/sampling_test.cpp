@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <vector>
 
 #include "raytrace/renderer.h"
@@ -15,11 +16,13 @@ namespace {
 
 using namespace ps;
 
-Frame traced(const Scene& scene, const Settings& settings, int width, int height, Channel channels = Channel::none) {
+Frame traced(const Scene& scene, const Settings& settings, int width, int height, Channel channels = Channel::none,
+             std::optional<TileRect> region = {}) {
   Prepared prepared;
   Progress progress;
   RenderRequest request;
   request.channels = channels;
+  request.region = region;
   return render_traced(scene, View{scene.camera, width, height}, settings, request, prepared, progress);
 }
 
@@ -198,15 +201,11 @@ TEST(Sampling, SubsamplingMissesThinWires) {
   const auto wire_pixels = [&](int step) {
     Settings settings;
     settings.subsampling = step;
-    Prepared prepared;
-    Progress progress;
-    RenderRequest request;
-    request.channels = Channel::ids;
-    request.region = TileRect{0, 200, 600, 256};  // nothing but wires before the wall
-    const Frame frame = render_traced(scene, View{scene.camera, 600, 600}, settings, request, prepared, progress);
+    const TileRect wires{0, 200, 600, 256};  // and nothing else before the wall
+    const Frame frame = traced(scene, settings, 600, 600, Channel::ids, wires);
     int count = 0;
-    for (int y = 200; y < 256; ++y)
-      for (int x = 0; x < 600; ++x) {
+    for (int y = wires.y0; y < wires.y1; ++y)
+      for (int x = wires.x0; x < wires.x1; ++x) {
         const auto object = frame.ids.at(x, y).object;
         count += object >= 3 && object <= 8;
       }
