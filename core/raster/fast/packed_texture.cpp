@@ -17,7 +17,7 @@ constexpr bool parts_are_quotients() {
 static_assert(parts_are_quotients());
 
 /// The texel as PackedTexture::bytes holds it, or nothing where some channel is not part_of_255() of a byte.
-std::optional<std::uint32_t> values_per_texel(const Vec3f& texel) {
+std::optional<std::uint32_t> texel_bytes(const Vec3f& texel) {
   std::uint32_t bytes = 0;
   for (int channel = 0; channel < 3; ++channel) {
     const float value = texel[channel];
@@ -44,7 +44,7 @@ bool pack_bytes(const Image<Vec3f>& image, TextureWrap wrap, PackedTexture& pack
   bool fits = true;
   for (int y = 0; y < image.height() && fits; ++y)
     add_row(image.row(y), wrap, [&](const Vec3f& texel) {
-      const std::optional<std::uint32_t> bytes = values_per_texel(texel);
+      const std::optional<std::uint32_t> bytes = texel_bytes(texel);
       fits = fits && bytes;
       packed.bytes.push_back(bytes.value_or(0));
     });
