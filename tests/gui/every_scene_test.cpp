@@ -20,7 +20,7 @@ TEST_P(EveryScene, Opens) {
         "expect messages 0\nexpect a/events > 0\nexpect b/events > 0\nexpect-not a/picture $BEFORE\n",
         scene.name);
   // Begins with a scene that is not the first of the list.
-  const auto folder = ps::fresh_output_folder(std::string("gui-every-scene-") + GetParam());
+  const auto folder = ps::fresh_output_folder("gui-every-scene");
   const auto result = ps::test::play("wait idle\n" + script + "quit\n", folder, GetParam(), "cgfs/reflections");
   EXPECT_EQ(result.status, 0) << result.errors;
   EXPECT_EQ(result.errors, "");

@@ -2,7 +2,6 @@
 // of old and new screens, with common and with large type.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <functional>
 #include <ostream>
 #include <sstream>
@@ -53,10 +52,7 @@ std::vector<FitScreen> fit_screens() {
 /// where something does not fit is a failure.
 void expect_all_fits(const std::string& commands, const std::vector<FitPlace>& places, const FitScreen& screen,
                      const std::string& arguments) {
-  // One folder for each test: several of one screen run at a time.
-  std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-  std::replace(name.begin(), name.end(), '/', '-');
-  const auto folder = ps::fresh_output_folder("gui-fit-" + name);
+  const auto folder = ps::fresh_output_folder("gui-fit");
   const auto result =
       ps::test::play("draw off\n" + commands, folder, screen.size, "--scale " + screen.type + " " + arguments);
   ASSERT_EQ(result.status, 0) << result.errors;

@@ -16,6 +16,15 @@ std::filesystem::path output_folder() {
   return std::filesystem::path(PIXELSCOPE_BIN_DIR).parent_path() / "test-output";
 }
 
+/// What a test with a parameter adds to the names of its folders: the same test runs with another parameter meanwhile.
+std::string own_part() {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  if (test == nullptr || test->value_param() == nullptr) return {};
+  std::string part = test->name();  // the test, "/" and the parameter
+  std::replace(part.begin(), part.end(), '/', '-');
+  return "-" + part;
+}
+
 struct Distance {
   std::int64_t pixels = 0;
   int level = 0;
@@ -74,7 +83,7 @@ std::filesystem::path reference_path(const std::string& name) {
 }
 
 std::filesystem::path fresh_output_folder(const std::string& name) {
-  auto folder = output_folder() / name;
+  auto folder = output_folder() / (name + own_part());
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   return folder;
