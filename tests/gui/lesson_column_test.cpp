@@ -33,9 +33,9 @@ TEST(LessonColumn, AKeyAndTabsChooseAndANewStepShowsItsText) {
 
 // The line is clicked in the listing, which stands behind the task: a button leads there, and one leads back.
 TEST(LessonColumn, AQuestionForALineLeadsToTheListingAndBack) {
-  const std::string asks = "expect question/text contains \"Click the wrong line\"\n",
-                    text = "wait frames 2\nexpect lesson/column text\n" + asks + fits,
-                    tool = "wait frames 2\nexpect lesson/column tool\n" + asks + fits;
+  const std::string asks = " contains \"Click the wrong line\"\n",
+                    text = "wait frames 2\nexpect lesson/column text\nexpect question/text" + asks + fits,
+                    tool = "wait frames 2\nexpect lesson/column tool\nexpect status/hint" + asks + fits;
   for (const std::string size : {"1024x768", "1366x768"})
     expect_plays("bug-" + size,
                  text + "click question/turn\n" + tool + "click question/turn\n" + text + "click question/turn\n" +

@@ -65,5 +65,32 @@ TEST(LongLoad, CanBeCancelled) {
   std::filesystem::remove(folder / "sheet.obj");
 }
 
+// The buttons of a question for a line of the listing are in the line that shows the progress.
+TEST(LongLoad, CanBeCancelledWhileALineIsAskedFor) {
+  const auto folder = ps::fresh_output_folder("gui-long-load-asked");
+  const auto model = write_slow_scene(folder);
+  const auto result = ps::test::play("wait idle\nclick question/turn\nwait idle\ndrop " + model.string() +
+                                         "\n"
+                                         "wait until loading contains sheets.scene\n"
+                                         "wait 600\n"  // until the bar comes
+                                         "expect listing/lines > 23\n"
+                                         "expect window/cut \"\"\n"
+                                         "expect window/overlap \"\"\n"
+                                         "screenshot " +
+                                         (folder / "loading.png").string() +
+                                         "\n"
+                                         "click listing/line-127/pick\n"
+                                         "expect question/answer \"Answer: line 127\"\n"
+                                         "expect window/cut \"\"\n"
+                                         "click status/progress/cancel\n"
+                                         "wait idle\n"
+                                         "expect loading none\n"
+                                         "expect question/answer \"Answer: line 127\"\n"
+                                         "quit\n",
+                                     folder, "1024x768", "--scale 1.5 --lesson cgfs_15_shadows_in_the_rasterizer/12");
+  EXPECT_EQ(result.status, 0) << result.errors;
+  std::filesystem::remove(folder / "sheet.obj");
+}
+
 }  // namespace
 }  // namespace long_load_test

@@ -332,11 +332,13 @@ void App::Parts::keep_what_is_open() {
 void App::Parts::draw_status(ImVec2 window, float height) {
   ImGui::SetCursorScreenPos({px(8), window.y - height + px(1)});
   ImGui::BeginChild("status", {window.x - px(16), height - px(1)}, false, fixed_window);
-  std::string hint = status();
-  if (regions.question_in_line())
-    ImGui::SameLine(0, px(24));
-  else if (hint.empty())
-    hint = "Click a pixel to see how it got its colour.   ? shows all keys.";
+  StatusHint hint{.text = status()};
+  if (const auto task = regions.question_in_line()) {
+    hint = {StatusHint::Kind::task, *task};
+    ImGui::SameLine(0, px(16));
+  } else if (hint.text.empty()) {
+    hint.text = "Click a pixel to see how it got its colour.   ? shows all keys.";
+  }
   gui::status_bar(session, my.pictures, status_bar, hint);
   ImGui::EndChild();
 }

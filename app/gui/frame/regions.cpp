@@ -208,10 +208,11 @@ Area Regions::above_line_question(const Area& area) {
   return asks_in_line_ ? area : above_question(area);  // which says why there is nothing to answer
 }
 
-bool Regions::question_in_line() {
-  if (!asks_in_line_) return false;
+std::optional<std::string> Regions::question_in_line() {
+  if (!asks_in_line_) return std::nullopt;
+  std::string sentence = my_.predict.lesson->question()->text;
   if (ask_lesson_question(session_, *my_.predict.lesson, AskPlace::in_line)) turn_column(my_.lessons.column);
-  return true;
+  return sentence;
 }
 
 /// The place that text and tool share, with tabs that choose.

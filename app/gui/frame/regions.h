@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,9 +21,9 @@ class Regions {
 
   /// Draws all of it. `offers_first_look`: the offer to lead a newcomer round is above the options.
   void draw(const Area& area, bool offers_first_look);
-  /// In the window's last line, below them: the question for a line of the listing, where the listing has the place of
-  /// the text. Answers whether there is one.
-  bool question_in_line();
+  /// In the window's last line, below them: the buttons of the question for a line of the listing, where the listing
+  /// has the place of the text. Returns its sentence, for the rest of that line; none without such a question.
+  std::optional<std::string> question_in_line();
   /// How the offer was answered in this frame.
   bool first_look_answered() const { return answered_; }
 

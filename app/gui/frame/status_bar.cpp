@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "gui/widgets/redraw.h"
@@ -37,7 +38,9 @@ MessageKind kind_of(Message::Kind kind) {
 
 void progress(Session& session, float width) {
   if (session.loading()) {
-    if (progress_bar("progress", "loading " + session.loading_name(), -1, width)) session.cancel_loading();
+    const std::filesystem::path path = session.loading_name();
+    const std::string name = path.has_extension() ? path.filename() : path;  // scenes of the program have none
+    if (progress_bar("progress", "loading " + name, -1, width)) session.cancel_loading();
     return;
   }
   const bool a = rendering(session, Side::a), b = rendering(session, Side::b);
@@ -78,14 +81,38 @@ void news_line(const std::string& news, float width) {
   controls().record("news", at, {at.x + width, at.y + height}, news);
 }
 
-/// As many of a text's parts, between wide blanks, as fit.
+/// As many of a text's parts, between wide blanks, as fit; as many of the first one's words, where that is too long.
 std::string whole_parts(std::string text, float room) {
   while (ImGui::CalcTextSize(text.c_str()).x > room) {
     const std::size_t last = text.rfind("   ");
     if (last == std::string::npos) break;
     text.resize(last);
   }
-  return whole_words(text, room);
+  text = whole_words(text, room);
+  return text_width(text) <= room ? text : std::string();
+}
+
+Face face_of(const StatusHint& hint) { return hint.kind == StatusHint::Kind::task ? Face::bold : Face::body; }
+
+float hint_width(const StatusHint& hint) {
+  const FontScope font(face_of(hint));
+  return text_width(hint.text);
+}
+
+void hint_line(const StatusHint& hint, float room) {
+  const bool task = hint.kind == StatusHint::Kind::task;
+  const FontScope font(face_of(hint));
+  ImGui::PushStyleColor(ImGuiCol_Text, task ? palette().text : palette().text_quiet);
+  ImGui::TextUnformatted(whole_parts(hint.text, room).c_str());
+  ImGui::PopStyleColor();
+  tooltip(hint.text);
+  controls().record("hint", hint.text);
+}
+
+void hover_line(const std::string& hover, float room) {
+  const FontScope font(Face::mono);
+  ImGui::TextUnformatted(whole_parts(hover, room).c_str());
+  controls().record("hover", hover);
 }
 
 }  // namespace
@@ -122,7 +149,7 @@ std::string hover_text(Session& session, const PicturesState& pictures) {
   return text;
 }
 
-void status_bar(Session& session, const PicturesState& pictures, StatusBarState& state, const std::string& hint) {
+void status_bar(Session& session, const PicturesState& pictures, StatusBarState& state, const StatusHint& hint) {
   const NameScope scope("status");
   const double now = ImGui::GetTime();
   const bool working = session.loading() || rendering(session, Side::a) || rendering(session, Side::b);
@@ -132,8 +159,7 @@ void status_bar(Session& session, const PicturesState& pictures, StatusBarState&
     state.busy_since = now;
   const bool shown = working && now - state.busy_since >= patience;
   const float left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x, gap = px(12);
-  if (width < px(150)) return;  // something else needs the line
-  const float progress_width = std::min(px(330), width);
+  const float progress_width = std::min(px(330), std::max(px(290), width / 2));
   const float room = width - (shown ? progress_width + gap : 0);
   const std::string news = newest_news(session);
   const float news_width = news.empty() ? 0 : std::min(ImGui::CalcTextSize(news.c_str()).x + px(10), room * 0.6f);
@@ -144,14 +170,17 @@ void status_bar(Session& session, const PicturesState& pictures, StatusBarState&
   const float line_room = room - (news.empty() ? 0 : news_width + gap);
   ImGui::PushClipRect(at, {at.x + line_room, at.y + px(40)}, true);
   if (hover.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-    ImGui::TextUnformatted(whole_parts(hint, line_room).c_str());
-    ImGui::PopStyleColor();
+    hint_line(hint, line_room);
   } else {
-    const FontScope font(Face::mono);
-    ImGui::TextUnformatted(whole_parts(hover, line_room).c_str());
+    // By a fixed width, so that the task does not come and go with the lengths of numbers.
+    const float beside = hint_width(hint) + gap;
+    const bool both = hint.kind == StatusHint::Kind::task && line_room - beside >= px(200);
+    if (both) {
+      hint_line(hint, line_room);
+      ImGui::SameLine(0, gap);
+    }
+    hover_line(hover, line_room - (both ? beside : 0));
   }
-  controls().record("hover", hover);
   ImGui::PopClipRect();
   if (!news.empty()) {
     ImGui::SameLine(left + room - news_width);

@@ -15,9 +15,16 @@ struct StatusBarState {
   float bars_height = 0;  ///< that the messages below take from the regions, window pixels
 };
 
+/// What the line says where the mouse is over no picture. A task stays beside what is under the mouse if both fit.
+struct StatusHint {
+  enum class Kind { help, task };
+  Kind kind = Kind::help;
+  std::string text;
+};
+
 /// The line at the lower edge: what is under the mouse, or `hint` otherwise; news that pass by themselves; and the
 /// progress of long work with cancel.
-void status_bar(Session& session, const PicturesState& pictures, StatusBarState& state, const std::string& hint);
+void status_bar(Session& session, const PicturesState& pictures, StatusBarState& state, const StatusHint& hint);
 
 /// Warnings and errors, which stay until they are read, one below the other, ending at `bottom` (window pixels). What
 /// room they take is in `state`, so that they cover nothing.

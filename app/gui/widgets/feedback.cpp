@@ -5,6 +5,7 @@
 
 #include "gui/widgets/draw.h"
 #include "gui/widgets/redraw.h"
+#include "gui/widgets/shorten.h"
 
 namespace ps::gui {
 namespace {
@@ -88,7 +89,8 @@ bool progress_bar(std::string_view name, std::string_view label, double fraction
   const float share = static_cast<float>(std::clamp(fraction, 0.0, 1.0));
   draw.AddRectFilled({min.x, y}, {min.x + (max.x - min.x) * share, y + px(3)}, colour_u32(p.text_quiet), px(2));
   const std::string percent = fraction < 0 ? "" : std::to_string(static_cast<int>(share * 100)) + " %";
-  draw_text(min, {max.x - px(60), y}, label, p.text, 0);
+  const float end = max.x - (percent.empty() ? 0 : px(60));
+  draw_text(min, {end, y}, whole_words(label, end - min.x), p.text, 0);
   {
     const FontScope mono(Face::mono);
     draw_text({max.x - px(60), min.y}, {max.x, y}, percent, p.text_quiet, 1);

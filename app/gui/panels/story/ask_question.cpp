@@ -3,7 +3,6 @@
 #include "base/number_text.h"
 #include "gui/panels/story/lesson_question.h"
 #include "gui/widgets/draw.h"
-#include "gui/widgets/shorten.h"
 #include "gui/widgets/text_field.h"
 #include "gui/widgets/widgets.h"
 
@@ -108,22 +107,6 @@ bool turn_button(AskPlace place, std::string_view label, Emphasis emphasis) {
       {.tooltip = text ? "The listing is where you click the line (V)." : "What the step says (V).", .disabled = {}});
 }
 
-constexpr std::string_view back_to_text = "Read the task";
-
-/// In front of the buttons, in one line.
-void question_in_line(const LessonQuestion& question) {
-  const FontScope font(Face::bold);
-  const float gap = px(14);
-  float room = ImGui::GetContentRegionAvail().x;
-  for (const std::string_view label : {std::string_view("Answer: line 1000"), std::string_view("Skip"), back_to_text})
-    room -= button_width(label) + gap;
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(whole_words(question.text, room).c_str());
-  tooltip(question.text);
-  controls().record("text", question.text);
-  ImGui::SameLine(0, gap);
-}
-
 /// What a question has besides its sentence and its buttons. Answers whether Enter ended the typing of an answer.
 bool ask_with_controls(const Session& session, LessonQuestions& questions) {
   const LessonQuestion& question = *questions.question();
@@ -150,9 +133,7 @@ bool ask_lesson_question(Session& session, LessonQuestions& questions, AskPlace 
   const LessonQuestion& question = *questions.question();
   const bool turns = question.kind == AskKind::bug && place != AskPlace::beside_tool;
   bool entered = false;
-  if (place == AskPlace::in_line) {
-    question_in_line(question);
-  } else {
+  if (place != AskPlace::in_line) {
     question_text(question);
     ImGui::Spacing();
     entered = ask_with_controls(session, questions);
@@ -180,7 +161,7 @@ bool ask_lesson_question(Session& session, LessonQuestions& questions, AskPlace 
              {.tooltip = "Goes on without an answer; nothing is kept.", .disabled = {}}))
     questions.take(session, "", {});
   if (turns && !leads_on) {
-    const std::string_view label = place == AskPlace::below_text ? "Listing" : back_to_text;
+    const std::string_view label = place == AskPlace::below_text ? "Listing" : "Read the task";
     same_line_if_room(button_width(label));
     turned = turn_button(place, label, Emphasis::quiet);
   }

@@ -74,7 +74,7 @@ class LessonQuestions {
 };
 
 /// Where a question is asked: beside the step's tool; below the text, where text and tool share a place; or, of a
-/// question for a line of the listing, while the listing has that place, in one line.
+/// question for a line of the listing, while the listing has that place, in one line: its buttons alone.
 enum class AskPlace { beside_tool, below_text, in_line };
 
 /// Asks a question that is not about the picked pixel's story, with controls for the answer. Answers whether the other
