@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gui/base/values.h"
+#include "gui/panels/story/code_lines.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/redraw.h"
 #include "gui/widgets/shorten.h"
@@ -77,23 +78,6 @@ void values(const ListingRow& row, float left) {
     all += (all.empty() ? "" : ", ") + value.name + " = " + value.value;
   }
   if (!row.values.empty()) controls().record(fmt::format("line-{}", row.number), all);
-}
-
-/// Code broken at blanks into lines of at most so many signs; what goes on is indented further.
-std::string code_lines(const std::string& text, std::size_t signs) {
-  const std::size_t start = std::min(text.find_first_not_of(' '), text.size());
-  const std::string indent(std::min(start + 4, signs / 2), ' ');
-  std::string lines, rest = text;
-  while (rest.size() > signs) {
-    const std::size_t content = rest.find_first_not_of(' ');
-    std::size_t cut = rest.rfind(' ', signs);
-    if (cut == std::string::npos || cut <= content) cut = rest.find(' ', content);
-    if (cut == std::string::npos) break;
-    lines.append(rest, 0, cut).push_back('\n');
-    const std::size_t word = std::min(rest.find(' ', cut + 1), rest.size()) - cut - 1;
-    rest.replace(0, cut + 1, indent, 0, signs - std::min(word, signs));  // a long word has less in front of it
-  }
-  return lines + rest;
 }
 
 bool has_values(const ListingRow& row) { return row.loops || !row.values.empty(); }
