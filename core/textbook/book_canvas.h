@@ -37,7 +37,7 @@ class BookCanvas {
     const Vec2i place = place_of(x, y);
     if (!colours_.contains(place.x, place.y)) return;
     colours_.at(place.x, place.y) = colour;
-    if (writes_) writes_->push_back({place, colour});
+    if (writes_) note(place, colour);
   }
   /// Every pixel that is put on the canvas from now on is noted in `writes`, which must outlive the canvas.
   void note_writes(std::vector<CanvasWrite>& writes) { writes_ = &writes; }
@@ -70,6 +70,7 @@ class BookCanvas {
   const TileRect& part() const { return part_; }
 
  private:
+  void note(const Vec2i& place, const Vec3d& colour);  // elsewhere, so that put_pixel is short
   Vec2i place_of(double x, double y) const {
     if (!(std::abs(x) < reach_ && std::abs(y) < reach_)) return {-1, -1};
     return {static_cast<int>(x) + width_ / 2 - part_.x0, height_ - height_ / 2 - 1 - static_cast<int>(y) - part_.y0};

@@ -2,8 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
-#include <string>
+#include <cstddef>
 #include <vector>
 
 #include "math/power.h"  // IWYU pragma: export
@@ -56,6 +55,7 @@ template <class Value>
 std::vector<Value> interpolate(double i0, const Value& d0, double i1, const Value& d1) {
   if (i0 == i1) return {d0};
   std::vector<Value> values;
+  if (i1 > i0) values.reserve(static_cast<std::size_t>(std::min(i1 - i0, 1e5)) + 1);
   const Value slope = (d1 - d0) / (i1 - i0);
   Value d = d0;
   for (double i = i0; i <= i1; ++i) {
@@ -106,15 +106,16 @@ inline std::array<std::size_t, 3> sorted_by_height(const std::array<Vec2d, 3>& p
   return order;
 }
 
-/// The entry for `place`, counted from `first`; its fraction is dropped. Throws std::out_of_range, which a student
-/// reads, where the list has no such entry.
+/// Throws std::out_of_range, which a student reads. Not where it is called, so that what calls it is short.
+[[noreturn]] void throw_no_entry(std::size_t size);
+
+/// The entry for `place`, counted from `first`; its fraction is dropped. Throws std::out_of_range where the list has no
+/// such entry.
 template <class Value>
 const Value& entry(const std::vector<Value>& values, double place, double first) {
-  const double index = std::trunc(place - first);
-  if (!(index >= 0 && index < static_cast<double>(values.size())))
-    throw std::out_of_range("an entry was asked for that a list of " + std::to_string(values.size()) +
-                            " values does not have");
-  return values[static_cast<std::size_t>(index)];
+  const double from = place - first;
+  if (!(from > -1 && from < static_cast<double>(values.size()))) throw_no_entry(values.size());
+  return values[static_cast<std::size_t>(from)];
 }
 
 }  // namespace ps

@@ -211,7 +211,7 @@ TEST(Listing, EventsEndInItsColour) {
     Progress progress;
     int compared = 0;
     for (int y = 2; y < 100; y += 17)
-      for (int x = 4; x < 120; x += test::trial_divisor > 1 ? 14 : 7) {
+      for (int x = 4; x<120; x += test::trial_divisor> 1 ? 14 : 7) {
         const PixelStory story = inspect(scene, view, settings, {x, y}, prepared, progress);
         if (story.events.size() < 2) continue;  // nothing reached the pixel
         ++compared;
