@@ -201,6 +201,7 @@ Vec3d last_colour(const PixelStory& story) {
 
 /// A listing's steps, as the events of the renderers, come to the colour that it put into the canvas.
 TEST(Listing, EventsEndInItsColour) {
+  constexpr int columns = test::trial_divisor > 1 ? 14 : 7;  // from one pixel to the next
   for (const char* name :
        {"cgfs/spheres", "cgfs/lights", "cgfs/shadows", "cgfs/reflections", "cgfs/lines", "cgfs/triangles",
         "cgfs/mixing", "cgfs/wireframe", "cgfs/cubes", "cgfs/shading", "cgfs/crates", yard}) {
@@ -211,7 +212,7 @@ TEST(Listing, EventsEndInItsColour) {
     Progress progress;
     int compared = 0;
     for (int y = 2; y < 100; y += 17)
-      for (int x = 4; x<120; x += test::trial_divisor> 1 ? 14 : 7) {
+      for (int x = 4; x < 120; x += columns) {
         const PixelStory story = inspect(scene, view, settings, {x, y}, prepared, progress);
         if (story.events.size() < 2) continue;  // nothing reached the pixel
         ++compared;
