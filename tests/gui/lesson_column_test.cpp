@@ -53,6 +53,13 @@ TEST(LessonColumn, AQuestionForALineLeavesTheListingItsLines) {
                    "click question/turn\nwait idle\nexpect listing/lines > 23\n" + fits +
                        "click listing/line-19/pick\nexpect listing/lines > 23\nexpect question/answer \"Answer: line "
                        "19\"\n" +
+                       fits +
+                       // Without the bug the question waits, in the same line.
+                       "set listing-bug=none\nwait idle\nexpect listing/lines > 23\n"
+                       "expect status/hint contains \"The question is about\"\n" +
+                       fits +
+                       "click question/back\nwait idle\nexpect listing/lines > 23\n"
+                       "expect question/answer contains Answer\n" +
                        fits,
                    large + step, size);
 }

@@ -199,19 +199,15 @@ bool Regions::column_head() {
   return false;
 }
 
-/// A question for a line of the listing is answered there. It takes the window's last line, so that the code keeps its
-/// own. Returns what room is left for the listing.
-Area Regions::above_line_question(const Area& area) {
-  const LessonQuestions& asked = *my_.predict.lesson;
-  if (!asked.asked_beside_text(session_) || asked.question()->kind != AskKind::bug) return area;
-  asks_in_line_ = asked.bug_shown(session_);
-  return asks_in_line_ ? area : above_question(area);  // which says why there is nothing to answer
-}
-
 std::optional<std::string> Regions::question_in_line() {
   if (!asks_in_line_) return std::nullopt;
-  std::string sentence = my_.predict.lesson->question()->text;
-  if (ask_lesson_question(session_, *my_.predict.lesson, AskPlace::in_line)) turn_column(my_.lessons.column);
+  LessonQuestions& asked = *my_.predict.lesson;
+  if (!asked.bug_shown(session_)) {
+    way_back_button(session_);
+    return std::string(why_question_waits);
+  }
+  std::string sentence = asked.question()->text;
+  if (ask_lesson_question(session_, asked, AskPlace::in_line)) turn_column(my_.lessons.column);
   return sentence;
 }
 
@@ -225,9 +221,11 @@ void Regions::column(const Area& area) {
   begin_region(session_, "column", {area.min, {area.max.x, area.min.y + head}}, {}, RegionPadding::tight);
   bool fill = column_head();
   ImGui::EndChild();
-  Area below{{area.min.x, area.min.y + head}, area.max};
+  const Area below{{area.min.x, area.min.y + head}, area.max};
   if (column.shows == ColumnShows::text) return titled_text(below, {});
-  below = above_line_question(below);
+  // A question for a line of the listing is answered there, in the window's last line, so that the code keeps its own.
+  const LessonQuestions& asked = *my_.predict.lesson;
+  asks_in_line_ = asked.asked_beside_text(session_) && asked.question()->kind == AskKind::bug;
   begin_region(session_, "stage", below, {}, RegionPadding::tight);
   fill = tool(staged(), {.filled = false, .headed = true}) || fill;
   ImGui::EndChild();

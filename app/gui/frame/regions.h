@@ -40,7 +40,6 @@ class Regions {
   void stage(const Area& area, bool folded);
   void question(const Area& area, bool pending);
   Area above_question(const Area& area);
-  Area above_line_question(const Area& area);
   void lesson_text(const Area& area);
   void titled_text(const Area& area, const std::string& title);
   void column(const Area& area);

@@ -169,9 +169,16 @@ bool ask_lesson_question(Session& session, LessonQuestions& questions, AskPlace 
 }
 
 void way_back_to_question(Session& session, const LessonQuestions& questions) {
+  {
+    const NameScope scope("question");
+    question_text(*questions.question());
+  }
+  quiet_text(std::string(why_question_waits));
+  way_back_button(session);
+}
+
+void way_back_button(Session& session) {
   const NameScope scope("question");
-  question_text(*questions.question());
-  quiet_text("The question is about the pixel and the options that the step begins with.");
   if (button("back", "Back to the question", Emphasis::primary,
              {.tooltip = "Puts this step's pixel and options back.", .disabled = {}}))
     go_to_step(session, session.document().lesson, session.document().step);

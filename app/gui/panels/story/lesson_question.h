@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "engine/question.h"
 #include "gui/panels/lesson/lesson_panel.h"
@@ -81,8 +82,14 @@ enum class AskPlace { beside_tool, below_text, in_line };
 /// one of text and tool is asked for: a question for a line of the listing has a button for that.
 bool ask_lesson_question(Session& session, LessonQuestions& questions, AskPlace place);
 
-/// Says that the open question is about another pixel, or other options, than are shown, with a button that leads back.
+/// Where the open question is about another pixel, or other options, than are shown.
+inline constexpr std::string_view why_question_waits =
+    "The question is about the pixel and the options that the step begins with.";
+
+/// Says so, with the button.
 void way_back_to_question(Session& session, const LessonQuestions& questions);
+/// The button alone, which leads back.
+void way_back_button(Session& session);
 
 /// A bar from `top` down to the end of the item that was drawn last, in the colour of right or of wrong.
 void verdict_bar(ImVec2 top, const Judgement& judgement);
