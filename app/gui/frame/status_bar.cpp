@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "gui/widgets/draw.h"
 #include "gui/widgets/redraw.h"
 #include "gui/widgets/shorten.h"
 #include "gui/widgets/widgets.h"
