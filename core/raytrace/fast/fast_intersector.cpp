@@ -5,9 +5,15 @@
 
 namespace ps {
 
-Hit<float> FastIntersector::nearest(const Ray<float>& ray) const { return find(ray, Find::nearest); }
+Hit<float> FastIntersector::nearest(const Ray<float>& ray) const {
+  const float reach = clear_.reach(ray);
+  return suits(ray, reach) ? find<Find::nearest>(ray, reach) : clear_.nearest(ray);
+}
 
-Hit<float> FastIntersector::any(const Ray<float>& ray) const { return find(ray, Find::any); }
+Hit<float> FastIntersector::any(const Ray<float>& ray) const {
+  const float reach = clear_.reach(ray);
+  return suits(ray, reach) ? find<Find::any>(ray, reach) : clear_.any(ray);
+}
 
 void FastIntersector::nearest_of_each(std::span<const Ray<float>> rays, std::span<Hit<float>> hits) const {
   WidePacket packet;
@@ -24,19 +30,18 @@ void FastIntersector::nearest_of_each(std::span<const Ray<float>> rays, std::spa
   }
 }
 
-Hit<float> FastIntersector::find(const Ray<float>& ray, Find find) const {
-  if (wide_.wide && !suits_tree(ray, clear_.reach(ray)))
-    return find == Find::any ? clear_.any(ray) : clear_.nearest(ray);
+template <FastIntersector::Find what>
+Hit<float> FastIntersector::find(const Ray<float>& ray, float reach) const {
   Hit<float> best;
   if (wide_.only_triangles)
     best.t = ray.t_max;
   else
-    best = find_other(ray, find);
-  if (find == Find::any && best.found()) return best;
+    best = find_other(ray, what);
+  if (what == Find::any && best.found()) return best;
   if (wide_.list)
-    search_list(ray, find, best);
+    search_list(ray, what, best);
   else
-    search_tree(ray, find, best);
+    search_tree(ray, reach, what, best);
   return best;
 }
 

@@ -23,14 +23,17 @@ class FastIntersector final : public RaySearch<float> {
   using Query = Intersector<float, CountingRecorder>::Query;
   enum class Find { nearest, any };
 
-  Hit<float> find(const Ray<float>& ray, Find find) const;
+  /// Of a ray that suits(), whose reach(ray) of the clear path this is. One function for each of the two, and one
+  /// variable that it returns: what is done for each ray counts.
+  template <Find what>
+  Hit<float> find(const Ray<float>& ray, float reach) const;
   /// The nearest primitive, or any, that is not a triangle.
   Hit<float> find_other(const Ray<float>& ray, Find find) const;
   /// Improves `best` by triangles. In the class, as suits_tree() is: shadow rays need both one at a time.
-  void search_tree(const Ray<float>& ray, Find find, Hit<float>& best) const {
+  void search_tree(const Ray<float>& ray, float reach, Find find, Hit<float>& best) const {
     const WideSearch search = find == Find::any ? wide_.searches.any : wide_.searches.nearest;
     WideCount work;
-    search(wide_.wide->triangles, {ray, padding(ray), inputs_.triangle_epsilon}, best, work);
+    search(wide_.wide->triangles, {ray, inputs_.box_padding * reach, inputs_.triangle_epsilon}, best, work);
     count(work);
   }
   void search_list(const Ray<float>& ray, Find find, Hit<float>& best) const;
@@ -50,7 +53,7 @@ class FastIntersector final : public RaySearch<float> {
     const Vec3f& d = ray.direction;
     return reach < 1e15f * std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
   }
-  float padding(const Ray<float>& ray) const { return inputs_.box_padding * clear_.reach(ray); }
+  bool suits(const Ray<float>& ray, float reach) const { return !wide_.wide || suits_tree(ray, reach); }
   void count(const WideCount& work) const {
     recorder_.count(Counter::node_visits, work.nodes);
     recorder_.count(Counter::triangle_tests, work.triangles);
