@@ -84,7 +84,7 @@ void news_line(const std::string& news, float width) {
 
 /// As many of a text's parts, between wide blanks, as fit; as many of the first one's words, where that is too long.
 std::string whole_parts(std::string text, float room) {
-  while (ImGui::CalcTextSize(text.c_str()).x > room) {
+  while (text_width(text) > room) {
     const std::size_t last = text.rfind("   ");
     if (last == std::string::npos) break;
     text.resize(last);
