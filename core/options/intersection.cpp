@@ -15,14 +15,14 @@ Reason needs_traced_triangles(const Settings&, const SceneTraits& t) {
 
 Reason needs_moeller_trumbore(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_traced_triangles(s, t)) return reason;
-  if (!texts_of(s.triangle_test).has_epsilon) return "no effect: this triangle test has no epsilon";
+  if (!row_of(s.triangle_test).has_epsilon) return "no effect: this triangle test has no epsilon";
   return {};
 }
 
 std::vector<Choice> triangle_test_choices() {
   std::vector<Choice> choices;
-  choices.reserve(triangle_test_texts.size());
-  for (const TriangleTestTexts& row : triangle_test_texts) choices.push_back({row.key, row.label, row.help});
+  choices.reserve(triangle_test_rows.size());
+  for (const TriangleTestRow& row : triangle_test_rows) choices.push_back({row.key, row.label, row.help});
   return choices;
 }
 

@@ -1,10 +1,14 @@
+#include <fmt/format.h>
+
+#include <string>
+
 #include "accel/bvh.h"
 #include "frame/fast_kernels.h"
 #include "options/simd_choice.h"
+#include "options/triangle_tests.h"
 #include "raytrace/accelerators.h"
 #include "raytrace/renderer.h"
 #include "raytrace/sampling/plan.h"
-#include "raytrace/triangle_tests.h"
 
 namespace ps {
 namespace {
@@ -38,6 +42,17 @@ std::string_view no_sphere_packets(const Settings& s, const SceneTraits& t, Chan
   return "";
 }
 
+/// Names the tests that have SIMD kernels.
+std::string_view wide_tests_reason() {
+  static const std::string reason = [] {
+    std::string keys;
+    for (const TriangleTestRow& row : triangle_test_rows)
+      if (row.simd) keys += fmt::format("{}{}", keys.empty() ? "" : " or ", row.key);
+    return "SIMD searches need triangle-test = " + keys;
+  }();
+  return reason;
+}
+
 /// Why SIMD cannot search the triangles; empty if it can.
 std::string_view no_wide_triangles(const Settings& s, const SceneTraits& t, Channel channels) {
   if (!t.triangles) return "SIMD searches need a scene of triangles only";
@@ -48,7 +63,7 @@ std::string_view no_wide_triangles(const Settings& s, const SceneTraits& t, Chan
   if (!searched && s.accelerator == Accelerator::embree) return "Embree's kernels search, scalar code shades";
   if (!searched) return "SIMD searches need accelerator = bvh, octree or none";
   if (s.slab_test != SlabTest::robust) return "SIMD searches need slab-test = robust";
-  if (!simd_triangle_test(s.triangle_test)) return "SIMD searches need triangle-test = watertight or moeller-trumbore";
+  if (!row_of(s.triangle_test).simd) return wide_tests_reason();
   if (t.one_sided) return "SIMD searches do not support one-sided triangles";
   if (t.any_transparency) return "SIMD searches do not support transparency";
   return "";

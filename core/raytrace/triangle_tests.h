@@ -1,10 +1,7 @@
 #pragma once
-#include <optional>
-
 #include "raytrace/clear/triangle_moeller_trumbore.h"
 #include "raytrace/clear/triangle_plane.h"
 #include "raytrace/clear/triangle_watertight.h"
-#include "raytrace/fast/simd_triangle_test.h"
 #include "raytrace/ray.h"
 
 namespace ps {
@@ -33,13 +30,6 @@ inline TriangleResult<Real> triangle_result(TriangleTest test, const TriangleQue
   case TriangleTest::cross_products:
     return triangle_cross_products(ray.origin, ray.direction, triangle, query.epsilon);
   }
-  return {};
-}
-
-/// The SIMD kernels that repeat the test, or nothing: then the clear path searches.
-constexpr std::optional<SimdTriangleTest> simd_triangle_test(TriangleTest test) {
-  if (test == TriangleTest::watertight) return SimdTriangleTest::watertight;
-  if (test == TriangleTest::moeller_trumbore) return SimdTriangleTest::moeller_trumbore;
   return {};
 }
 

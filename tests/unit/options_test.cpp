@@ -16,7 +16,7 @@ namespace options_test {
 namespace {
 
 enum class Fruit { apple, pear, plum };
-static_assert(enumerator_count<Fruit>() == 3 && enumerator_count<TriangleTest>() == triangle_test_texts.size());
+static_assert(enumerator_count<Fruit>() == 3 && enumerator_count<TriangleTest>() == triangle_test_rows.size());
 
 bool kebab_case(std::string_view key) {
   if (key.empty() || !std::islower(static_cast<unsigned char>(key.front())) || key.back() == '-') return false;

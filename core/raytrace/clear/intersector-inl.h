@@ -293,7 +293,7 @@ TriangleTestEvent Intersector<Real, Recorder>::triangle_event(const PixelId& id,
   if (result.verdict == TriangleVerdict::guarded && result.t >= 0)
     event.rejected_by = "t is within its rounding error of 0";
   if (outcome == TestOutcome::missed)
-    event.rejected_by = "weight of vertex " + std::to_string(result.corner + 1) + " is negative";
+    event.rejected_by = "weight of vertex " + std::to_string(result.corner) + " is negative";
   const auto& w = result.weights;
   event.weights = {static_cast<double>(w[0]), static_cast<double>(w[1]), static_cast<double>(w[2])};
   event.t = static_cast<double>(result.t);

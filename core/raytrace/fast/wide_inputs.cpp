@@ -1,7 +1,7 @@
 #include "raytrace/fast/wide_inputs.h"
 
 #include "base/check.h"
-#include "raytrace/triangle_tests.h"
+#include "options/triangle_tests.h"
 
 namespace ps {
 
@@ -10,7 +10,7 @@ std::optional<WideInputs> wide_inputs(const Scene& scene, const TraceInputs<floa
   const Settings& settings = inputs.settings;
   // Triangles without area are left out: there may be none to search.
   if (inputs.path.machinery != Machinery::wide_triangles || geometry.triangles.empty()) return {};
-  const std::optional<SimdTriangleTest> test = simd_triangle_test(settings.triangle_test);
+  const std::optional<SimdTriangleTest> test = row_of(settings.triangle_test).simd;
   PS_ASSERT(test.has_value(), "traced_fast_path() lets no other test through");
   WideInputs wide;
   wide.only_triangles = geometry.triangles.size() == geometry.primitives.size();

@@ -3,7 +3,6 @@
 
 #include "accel/wide_bvh.h"
 #include "options/settings.h"
-#include "raytrace/fast/simd_triangle_test.h"
 #include "raytrace/ray.h"
 
 namespace ps {
