@@ -26,20 +26,18 @@ GivenAnswer read_answer(const std::string& line) {
           entry.at("question"), entry.at("answer"), entry.at("points")};
 }
 
-/// A field of a table; what a spreadsheet would take for a formula stays text.
-std::string field(std::string text) {
+/// A text for a field of a table: what a spreadsheet would take for a formula has a ' in front of it.
+std::string plain_field(std::string text) {
   constexpr std::string_view begins_formula = "=+-@\t\r";
   const bool plain = text.empty() || begins_formula.find(text.front()) == std::string_view::npos;
   if (!plain && !parse_number(text)) text = "'" + text;
-  return csv_field(text);
+  return text;
 }
 
 /// Keeps other windows from adding an answer that would be lost when this one replaces the file.
 FileLock lock_answers(const std::filesystem::path& file) {
   constexpr std::chrono::seconds patience{1};  // adding an answer takes a few milliseconds
-  auto lock_file = file;
-  lock_file += ".lock";
-  if (auto lock = FileLock::lock_within(lock_file, patience)) return std::move(*lock);
+  if (auto lock = FileLock::lock_within(FileLock::beside(file), patience)) return std::move(*lock);
   throw InputError(fmt::format("{}: another program is adding an answer there", file.string()));
 }
 
@@ -82,11 +80,12 @@ void keep_answer(const std::filesystem::path& file, const GivenAnswer& answer) {
 }
 
 std::string answers_csv(const std::vector<GivenAnswer>& answers, const std::string& student) {
-  std::string table = "student,time,lesson,step,question,answer,points\n";
+  std::string table = csv_row({"student", "time", "lesson", "step", "question", "answer", "points"});
   for (const GivenAnswer& each : answers)
-    table += fmt::format("{},{},{},{},{},{},{}\n", field(student), field(each.time),
-                         field(std::filesystem::path(each.lesson).filename().string()), each.step + 1,
-                         field(each.question), field(each.answer), exact_number_text(each.points));
+    table +=
+        csv_row({plain_field(student), plain_field(each.time),
+                 plain_field(std::filesystem::path(each.lesson).filename().string()), std::to_string(each.step + 1),
+                 plain_field(each.question), plain_field(each.answer), exact_number_text(each.points)});
   return table;
 }
 

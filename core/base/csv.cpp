@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "base/check.h"
-
 namespace ps {
+namespace {
 
-std::string quoted_csv_field(std::string_view text) {
+std::string csv_field(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
   std::string quoted = "\"";
   for (const char c : text) {
     if (c == '"') quoted += '"';
@@ -15,19 +15,25 @@ std::string quoted_csv_field(std::string_view text) {
   return quoted + '"';
 }
 
-std::string csv_field(std::string_view text) {
-  return text.find_first_of(",\"\r\n") == std::string_view::npos ? std::string(text) : quoted_csv_field(text);
+}  // namespace
+
+std::string csv_row(const std::vector<std::string>& fields) {
+  std::string row;
+  for (const std::string& field : fields) {
+    if (&field != fields.data()) row += ',';
+    row += csv_field(field);
+  }
+  return row + '\n';
 }
 
-std::string csv_with_columns(std::string_view csv, std::string_view heading, const std::vector<std::string>& rows) {
+std::string csv_with_columns(std::string_view csv, const std::vector<std::string>& heading,
+                             const std::function<std::vector<std::string>(std::size_t row)>& fields_of) {
   std::string text;
-  std::size_t line = 0;
-  while (!csv.empty()) {
+  for (std::size_t line = 0; !csv.empty(); ++line) {
     const auto end = std::min(csv.find('\n'), csv.size());
-    PS_ASSERT(line <= rows.size(), "each row of the table has its text");
-    text += std::string(csv.substr(0, end)) + "," + (line == 0 ? std::string(heading) : rows[line - 1]) + "\n";
+    text += csv.substr(0, end);
+    text += ',' + csv_row(line == 0 ? heading : fields_of(line - 1));
     csv.remove_prefix(std::min(end + 1, csv.size()));
-    ++line;
   }
   return text;
 }

@@ -37,6 +37,8 @@ std::optional<FileLock> FileLock::lock_within(const std::filesystem::path& path,
   }
 }
 
+std::filesystem::path FileLock::beside(std::filesystem::path file) { return file += ".lock"; }
+
 FileLock::FileLock(FileLock&& other) noexcept : file_(std::exchange(other.file_, -1)), guards_(other.guards_) {}
 
 FileLock& FileLock::operator=(FileLock&& other) noexcept {

@@ -15,6 +15,10 @@ class FileLock {
   /// The same, but waits up to `patience` until the other lets it go.
   static std::optional<FileLock> lock_within(const std::filesystem::path& path, std::chrono::milliseconds patience);
 
+  /// The file to lock in place of `file`: its name with ".lock" behind it. A file that is replaced as a whole when it
+  /// is written cannot be locked itself.
+  static std::filesystem::path beside(std::filesystem::path file);
+
   FileLock(FileLock&& other) noexcept;
   FileLock& operator=(FileLock&& other) noexcept;
   ~FileLock();

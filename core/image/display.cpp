@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 
 #include "image/display_levels.h"
 #include "image/gamma_curve.h"
+#include "math/has_nan.h"
 
 namespace ps {
 namespace {
@@ -85,9 +85,8 @@ Image<Rgb8> display_all(const Image<Pixel>& linear, const DisplayTransform& tran
 
 template <class Pixel>
 std::uint64_t count_nan(const Image<Pixel>& linear) {
-  return static_cast<std::uint64_t>(std::count_if(linear.pixels().begin(), linear.pixels().end(), [](const Pixel& c) {
-    return std::isnan(c.r) || std::isnan(c.g) || std::isnan(c.b);
-  }));
+  return static_cast<std::uint64_t>(
+      std::count_if(linear.pixels().begin(), linear.pixels().end(), [](const Pixel& c) { return has_nan(c); }));
 }
 
 }  // namespace

@@ -17,8 +17,7 @@ class CsvRows {
   std::string part, index, parent, kind;
 
   void add(std::string_view name, std::string_view value) {
-    text_ +=
-        fmt::format("{},{},{},{},{},{}\r\n", part, index, parent, csv_field(kind), csv_field(name), csv_field(value));
+    text_ += csv_row({part, index, parent, kind, std::string(name), std::string(value)});
   }
   void add(std::string_view name, double value) { add(name, exact_number_text(value)); }
   void add(std::string_view name, const Vec3d& value) {
@@ -60,7 +59,7 @@ struct ValueRows {
 }  // namespace
 
 std::string story_csv(const PixelStory& story, const Scene& scene, const Provenance& provenance) {
-  std::string text = "part,index,parent,kind,name,value\r\n";
+  std::string text = csv_row({"part", "index", "parent", "kind", "name", "value"});
   CsvRows rows(text);
   rows.part = "pixel";
   rows.add("column", static_cast<double>(story.pixel.x));

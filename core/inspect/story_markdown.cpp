@@ -20,6 +20,18 @@ std::string plain(std::string_view text) {
   return safe;
 }
 
+/// One item for each event, in the order of the story: its sentence, then all of its fields on the same line.
+std::string field_lists(const PixelStory& story, const Scene& scene) {
+  std::string text;
+  for (const Event& event : story.events) {
+    std::string fields;
+    for (const FieldText& field : event_table(event, scene))
+      fields += fmt::format("{}{} = {}", fields.empty() ? "" : "; ", plain(field.name), plain(field.value));
+    text += fmt::format("- **{}**: {}\n", plain(describe(event, scene)), fields);
+  }
+  return text;
+}
+
 std::string indent(int depth) { return std::string(static_cast<std::size_t>(depth) * 2, ' '); }
 
 }  // namespace
@@ -44,6 +56,8 @@ std::string story_markdown(const PixelStory& story, const Scene& scene, const Vi
   if (story.triangles_elsewhere > 0)
     text += fmt::format("- {} triangles lie elsewhere in the picture\n", story.triangles_elsewhere);
   if (!story.not_reported.empty()) text += fmt::format("\n{}\n", plain(story.not_reported));
+  text += fmt::format("\n<details>\n<summary>All fields of these {} events</summary>\n\n{}\n</details>\n",
+                      story.events.size(), field_lists(story, scene));
   text += "\n## The colour as a sum\n\n| term | red | green | blue |\n|---|---:|---:|---:|\n";
   for (const LedgerLine& line : story.ledger) {
     std::string term;

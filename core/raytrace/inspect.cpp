@@ -17,7 +17,7 @@ class PixelInspection {
       : inputs_(inputs), plan_(sampling_plan(inputs.settings)), size_{view.width, view.height}, pixel_(pixel),
         recorder_(recorder) {
     for (const TileRect& tile : make_tiles(view.width, view.height, traced_tile_size))
-      if (pixel.x >= tile.x0 && pixel.x < tile.x1 && pixel.y >= tile.y0 && pixel.y < tile.y1) tile_ = tile;
+      if (tile.contains(pixel.x, pixel.y)) tile_ = tile;
   }
 
   Vec3<Real> trace() {

@@ -1,7 +1,5 @@
 #include "render/provenance.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -59,16 +57,10 @@ std::string provenance_markdown(const Provenance& provenance) {
 }
 
 std::string csv_with_provenance(std::string_view csv, const Provenance& p, std::string_view settings_key) {
-  const std::string heading = fmt::format(",program,processor,simd,threads,{}", settings_key);
-  const std::string fields = fmt::format(",{},{},{},{},{}", quoted_csv_field(p.program), quoted_csv_field(p.processor),
-                                         quoted_csv_field(p.simd), p.threads, quoted_csv_field(p.settings));
-  std::string text;
-  for (bool first = true; !csv.empty(); first = false) {
-    const std::size_t end = std::min(csv.find('\n'), csv.size());
-    text += fmt::format("{}{}\n", csv.substr(0, end), first ? heading : fields);
-    csv.remove_prefix(std::min(end + 1, csv.size()));
-  }
-  return text;
+  return csv_with_columns(
+      csv, {"program", "processor", "simd", "threads", std::string(settings_key)}, [&](std::size_t) {
+        return std::vector<std::string>{p.program, p.processor, p.simd, std::to_string(p.threads), p.settings};
+      });
 }
 
 }  // namespace ps

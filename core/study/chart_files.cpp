@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
+#include "base/check.h"
 #include "base/csv.h"
 #include "options/choice_key.h"
 #include "render/provenance.h"
@@ -20,6 +21,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string_view renderer_key(const Settings& settings) { return choice_key<&Settings::renderer>(settings.renderer); }
+
+/// The shortest text that reads back exactly.
+std::string shortest_text(double value) { return fmt::format("{}", value); }
 
 Json point_json(const ChartPoint& point) {
   Json json{{"label", point.what.label},       {"renderer", renderer_key(point.what.value)},
@@ -50,22 +54,24 @@ Provenance chart_machine_provenance(const Chart& chart) { return provenance_of(c
 }  // namespace
 
 std::string chart_csv(const Chart& chart) {
-  std::string text =
-      "label,renderer,settings,time_ms,time_q1_ms,time_q3_ms,error,memory_mb,on_front,work,machinery,truth\n";
+  std::vector<const ChartPoint*> measured;
   for (const ChartPoint& point : chart.points)
-    if (point.measured())
-      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(point.what.label),
-                          renderer_key(point.what.value), csv_field(point.what.settings), point.time_ms.median,
-                          point.time_ms.q1, point.time_ms.q3, point.error, point.memory_mb, point.on_front ? 1 : 0,
-                          point.work ? work_text(point.work) : "", csv_field(chart.identity.machinery),
-                          csv_field(chart.identity.reference));
-  std::vector<std::string> more;
-  for (const ChartPoint& point : chart.points)
-    if (point.measured())
-      more.push_back(
-          fmt::format("{},{}", point.tie ? 1 : 0, point.upload_ms ? fmt::format("{}", point.upload_ms->median) : ""));
-  return csv_with_columns(csv_with_provenance(text, chart_machine_provenance(chart), "base_settings"), "tie,upload_ms",
-                          more);
+    if (point.measured()) measured.push_back(&point);
+  std::string text = csv_row({"label", "renderer", "settings", "time_ms", "time_q1_ms", "time_q3_ms", "error",
+                              "memory_mb", "on_front", "work", "machinery", "truth"});
+  for (const ChartPoint* point : measured)
+    text += csv_row({point->what.label, std::string(renderer_key(point->what.value)), point->what.settings,
+                     shortest_text(point->time_ms.median), shortest_text(point->time_ms.q1),
+                     shortest_text(point->time_ms.q3), shortest_text(point->error), shortest_text(point->memory_mb),
+                     point->on_front ? "1" : "0", point->work ? work_text(point->work) : "", chart.identity.machinery,
+                     chart.identity.reference});
+  return csv_with_columns(csv_with_provenance(text, chart_machine_provenance(chart), "base_settings"),
+                          {"tie", "upload_ms"}, [&](std::size_t i) {
+                            PS_ASSERT(i < measured.size(), "each line of the table is a point");
+                            const ChartPoint& point = *measured[i];
+                            return std::vector<std::string>{
+                                point.tie ? "1" : "0", point.upload_ms ? shortest_text(point.upload_ms->median) : ""};
+                          });
 }
 
 std::string chart_json(const Chart& chart) {

@@ -15,6 +15,7 @@
 #include "study/renderer_sweep.h"
 #include "study/stability/experiment.h"
 #include "support/golden.h"
+#include "support/read_csv.h"
 #include "support/run_cli.h"
 
 namespace studies_test {
@@ -38,29 +39,13 @@ std::string output_of(const std::string& line) {
 
 void write_file(const std::filesystem::path& path, const std::string& text) { std::ofstream(path) << text; }
 
-/// The fields of a line of CSV; those in quotes may hold commas.
-std::vector<std::string> fields_of(const std::string& line) {
-  std::vector<std::string> fields(1);
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '"') quoted = !quoted;
-    if (c == ',' && !quoted)
-      fields.emplace_back();
-    else
-      fields.back() += c;
-  }
-  return fields;
-}
-
 /// The column "error" of a chart's points.csv.
 std::vector<std::string> errors_of(const std::filesystem::path& csv) {
-  std::vector<std::string> errors;
-  std::istringstream lines(read_file(csv));
-  std::string line;
-  std::getline(lines, line);
-  const std::vector<std::string> names = fields_of(line);
+  const auto rows = ps::test::read_csv(read_file(csv));
+  const std::vector<std::string>& names = rows.at(0);
   const auto column = std::find(names.begin(), names.end(), "error") - names.begin();
-  while (std::getline(lines, line)) errors.push_back(fields_of(line).at(static_cast<std::size_t>(column)));
+  std::vector<std::string> errors;
+  for (std::size_t i = 1; i < rows.size(); ++i) errors.push_back(rows[i].at(static_cast<std::size_t>(column)));
   return errors;
 }
 
@@ -153,22 +138,14 @@ TEST(Studies, StabilityHasTheCurvesOfTheCommandLine) {
   const auto folder = ps::fresh_output_folder("gui-stability-values");
   const std::string name = "srgb-averaging";
   output_of(fmt::format("stability {} --out {}", name, folder.string()));
-  std::istringstream lines(read_file(folder / (name + ".csv")));
-  std::string line, script = fmt::format("wait idle\nclick bottom/stability\nclick stability/fill\n"
-                                         "click stability/{}\nwait idle\nexpect stability/shown {}\n",
-                                         name, name);
-  std::getline(lines, line);
-  int rows = 0;
-  while (std::getline(lines, line)) {
-    const auto quote = line.find('"', line.find('"') + 1);  // behind the name of the series
-    std::istringstream fields(line.substr(quote + 2));
-    std::string naive, robust;
-    std::getline(fields, naive, ',');
-    std::getline(fields, robust, ',');
+  const auto table = ps::test::read_csv(read_file(folder / (name + ".csv")));
+  std::string script = fmt::format("wait idle\nclick bottom/stability\nclick stability/fill\n"
+                                   "click stability/{}\nwait idle\nexpect stability/shown {}\n",
+                                   name, name);
+  ASSERT_GT(table.size(), 4u);
+  for (std::size_t row = 0; row + 1 < table.size(); ++row)  // behind the heading; naive and robust are columns 2 and 3
     script += fmt::format("expect stability/row/{0}/naive ~= {1} 1e-12\nexpect stability/row/{0}/robust ~= {2} 1e-12\n",
-                          rows++, naive, robust);
-  }
-  ASSERT_GT(rows, 3);
+                          row, table[row + 1].at(2), table[row + 1].at(3));
   const auto result = play(script + "quit\n", folder, "1280x800");
   EXPECT_EQ(result.status, 0) << result.errors;
   EXPECT_EQ(result.errors, "");

@@ -128,7 +128,7 @@ TEST(Stability, AnUnknownExperimentIsRefused) { EXPECT_THROW(find_stability_expe
 
 TEST(Stability, TablesLeaveAMissingMethodEmpty) {
   EXPECT_EQ(stability_csv(std::vector<StabilityRow>{{0.5, "a", 1, std::nan(""), "px"}}),
-            "knob,series,naive,robust,unit\n0.5,\"a\",1,,\"px\"\n");
+            "knob,series,naive,robust,unit\n0.5,a,1,,px\n");
 }
 
 // The table's figures do not depend on a processor's estimates of square roots; optimisation alone changes no pixel,
@@ -146,9 +146,9 @@ TEST(Stability, BuildFlagsAloneChangePixels) {
 // A sample on an edge that two triangles share belongs to both under >= 0 and to neither under > 0.
 TEST(Stability, WhatOneFillRulePaintsTwiceTheOtherLeavesOut) {
   const auto rows = measured("fill-rule-easy");
-  const double twice = naive_at(rows, "corners on half pixels, >= 0, doubles", 0);
+  const double twice = naive_at(rows, "vertices on half pixels, >= 0, doubles", 0);
   EXPECT_GT(twice, 0);
-  EXPECT_EQ(naive_at(rows, "corners on half pixels, > 0, holes", 1), twice);
+  EXPECT_EQ(naive_at(rows, "vertices on half pixels, > 0, holes", 1), twice);
 }
 
 // A pair of surfaces is shown in order if a code ends between them. So the gap that 99 % of pairs show, which begin at

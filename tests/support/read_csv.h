@@ -4,8 +4,8 @@
 
 namespace ps::test {
 
-/// A reader of comma-separated values by the grammar of RFC 4180; lines may also end in "\n" alone. One list of fields
-/// for each line.
+/// A reader of comma-separated values by the grammar of RFC 4180; lines may also end in "\n" alone, as those of the
+/// program do. One list of fields for each line.
 inline std::vector<std::vector<std::string>> read_csv(const std::string& text) {
   std::vector<std::vector<std::string>> rows(1, {""});
   bool quoted = false;

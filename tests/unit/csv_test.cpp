@@ -1,4 +1,4 @@
-// Fields of comma-separated values come back as they went in.
+// Rows of comma-separated values come back as they went in.
 #include "base/csv.h"
 
 #include <gtest/gtest.h>
@@ -23,19 +23,23 @@ TEST(Csv, FieldsComeBackAsTheyWentIn) {
     std::vector<std::string> fields(3);
     for (std::string& field : fields)
       for (std::size_t i = length(random); i > 0; --i) field += letters[letter(random)];
-    const std::string line =
-        csv_field(fields[0]) + "," + quoted_csv_field(fields[1]) + "," + csv_field(fields[2]) + "\r\n";
+    const std::string line = csv_row(fields);
     EXPECT_EQ(test::read_csv(line), (std::vector<std::vector<std::string>>{fields})) << line;
   }
 }
 
 TEST(Csv, QuotesOnlyWhereTheyAreNeeded) {
-  EXPECT_EQ(csv_field("plain words; 1.5"), "plain words; 1.5");
-  EXPECT_EQ(csv_field(""), "");
-  EXPECT_EQ(csv_field("a,b"), "\"a,b\"");
-  EXPECT_EQ(csv_field("say \"so\""), "\"say \"\"so\"\"\"");
-  EXPECT_EQ(csv_field("a\rb"), "\"a\rb\"");
-  EXPECT_EQ(quoted_csv_field("plain"), "\"plain\"");
+  EXPECT_EQ(csv_row({"plain words; 1.5", "", "a,b"}), "plain words; 1.5,,\"a,b\"\n");
+  EXPECT_EQ(csv_row({"say \"so\""}), "\"say \"\"so\"\"\"\n");
+  EXPECT_EQ(csv_row({"a\rb"}), "\"a\rb\"\n");
+}
+
+TEST(Csv, ColumnsComeBehindThoseOfEachRow) {
+  const auto fields_of = [](std::size_t row) { return std::vector<std::string>{"row " + std::to_string(row), "a,b"}; };
+  EXPECT_EQ(csv_with_columns("k\n1\n2\n", {"name", "more"}, fields_of),
+            "k,name,more\n1,row 0,\"a,b\"\n2,row 1,\"a,b\"\n");
+  EXPECT_EQ(csv_with_columns("k\n1", {"name", "more"}, fields_of), "k,name,more\n1,row 0,\"a,b\"\n")
+      << "a table without its last line end";
 }
 
 TEST(Csv, SeriesOfAnExperimentMayHaveQuotes) {

@@ -1,5 +1,5 @@
-// Every field of every type of event stands in every output: JSON, comma-separated values, the table beside the story,
-// and the changes since a pin.
+// Every field of every type of event stands in every output: JSON, comma-separated values, Markdown, the table beside
+// the story, and the changes since a pin.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "inspect/describe.h"
 #include "inspect/parting/align_stories.h"
@@ -157,9 +159,25 @@ TEST(EventFields, CsvHasEveryField) {
   for (std::size_t i = 0; i < story.events.size(); ++i)
     for (const EventField& field : event_fields(story.events[i].data)) {
       const std::string start =
-          "\r\nevent," + std::to_string(i) + ",," + std::string(event_kind(story.events[i].data)) + ",";
+          "\nevent," + std::to_string(i) + ",," + std::string(event_kind(story.events[i].data)) + ",";
       const std::string name = start + std::string(field.key);
       EXPECT_TRUE(csv.find(name + ",") != std::string::npos || csv.find(name + "[0]") != std::string::npos) << name;
+    }
+}
+
+TEST(EventFields, MarkdownHasEveryField) {
+  const PixelStory story = sample_story();
+  const Scene scene = test::book_spheres();
+  std::istringstream page(story_markdown(story, scene, {scene.camera, 600, 600}, {}));
+  std::vector<std::string> items;
+  for (std::string line; std::getline(page, line);)
+    if (line.starts_with("- **")) items.push_back(line);
+  ASSERT_EQ(items.size(), story.events.size());
+  for (std::size_t i = 0; i < items.size(); ++i)
+    for (const EventField& field : event_fields(story.events[i].data)) {
+      const std::string name = field_label(field) + " = ";
+      EXPECT_TRUE(items[i].find("**: " + name) != std::string::npos || items[i].find("; " + name) != std::string::npos)
+          << event_kind(story.events[i].data) << ' ' << field.key << ": " << items[i];
     }
 }
 

@@ -122,7 +122,7 @@ TEST(ExperimentFigures, TheTableGetsItsMeaningBehindItsColumns) {
   const std::vector<StabilityRow> rows{{32, "by bits, one", 5, 0, "misses"}};
   EXPECT_EQ(stability_csv_with_meaning(stability_csv(rows), experiment, rows),
             "knob,series,naive,robust,unit,quantity,quantity_unit,better,knob_title,knob_name\n"
-            "32,\"by bits, one\",5,0,\"misses\",\"misses\",\"per million\",lower,\"gap (px)\",\"float\"\n");
+            "32,\"by bits, one\",5,0,misses,misses,per million,lower,gap (px),float\n");
 }
 
 }  // namespace

@@ -109,7 +109,7 @@ TEST(Provenance, StoriesAndDrawings) {
     EXPECT_NE(result.out.find("scene=cgfs/lens"), std::string::npos) << "the permalink, " << form.back();
   }
   const auto table = run_cli(lens_command("inspect", {"--pixel", "4,4", "--csv"})).out;
-  EXPECT_TRUE(table.starts_with("part,index,parent,kind,name,value\r\n"));
+  EXPECT_TRUE(table.starts_with("part,index,parent,kind,name,value\n"));
   const json story = json::parse(run_cli(lens_command("inspect", {"--pixel", "4,4", "--json"})).out);
   EXPECT_EQ(story["provenance"]["threads"], 3);
 }
@@ -165,8 +165,8 @@ TEST(Provenance, StudiesKeepTheirColumnsFirst) {
 TEST(Provenance, TableWithQuotationMarks) {
   const Provenance made{"p", "a \"b\", c", "none", 1, "x=1", {}};
   EXPECT_EQ(csv_with_provenance("k\n1\n2", made),
-            "k,program,processor,simd,threads,settings\n1,\"p\",\"a \"\"b\"\", c\",\"none\",1,\"x=1\"\n"
-            "2,\"p\",\"a \"\"b\"\", c\",\"none\",1,\"x=1\"\n");
+            "k,program,processor,simd,threads,settings\n1,p,\"a \"\"b\"\", c\",none,1,x=1\n"
+            "2,p,\"a \"\"b\"\", c\",none,1,x=1\n");
   EXPECT_EQ(svg_with_provenance("<svg></svg>\n", {"<p>", "&", "none", 1, "", {}}),
             "<svg><metadata>\nprogram: &lt;p&gt;\nprocessor: &amp;\nsimd: none\nthreads: 1\nsettings: \n</metadata>\n"
             "</svg>\n");

@@ -78,9 +78,13 @@ TEST(StoryFiles, MarkdownShowsEverything) {
   EXPECT_NE(page.find(story.verdict.substr(0, 8)), std::string::npos);
   constexpr std::size_t picture_lines = 4, provenance_lines = 4;  // no settings differ from the defaults
   EXPECT_EQ(lines_with("- "),
-            story.events.size() + picture_lines + provenance_lines + (story.triangles_elsewhere > 0 ? 1 : 0));
+            2 * story.events.size() + picture_lines + provenance_lines + (story.triangles_elsewhere > 0 ? 1 : 0))
+      << "each event has a sentence and a list of its fields";
+  EXPECT_EQ(lines_with("- **"), story.events.size());
   EXPECT_GE(lines_with("| "), story.ledger.size() + 2);
-  EXPECT_EQ(page.find('<'), std::string::npos);
+  EXPECT_EQ(std::count(page.begin(), page.end(), '<'), 4) << "details and summary, and nothing of the scene";
+  EXPECT_EQ(lines_with("<details>"), 1u);
+  EXPECT_EQ(lines_with("</details>"), 1u);
 }
 
 }  // namespace

@@ -151,11 +151,9 @@ void StateFile::save() {
   std::error_code error;
   std::filesystem::create_directories(path_.parent_path(), error);
   constexpr std::chrono::seconds patience{5};  // saving takes milliseconds, or the time that a slow disk needs
-  auto lock_file = path_;
-  lock_file += ".lock";
   try {
     // Whoever holds it longer than that hangs, and will not write; the own entries are not given up for it.
-    const auto lock = FileLock::lock_within(lock_file, patience);
+    const auto lock = FileLock::lock_within(FileLock::beside(path_), patience);
     take_over();
   } catch (const InputError&) {
     // A folder that cannot be written, or a file that another program has damaged since: both stay as they are.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "gui/base/record.h"
@@ -46,7 +47,7 @@ void draw_flash() {
   if (now - (flashing.seen < 0 ? flashing.asked + waited_for - shown_for : flashing.seen) > shown_for) return forget();
   redraw_after(0.03);
   const double phase = flashing.seen < 0 ? 0 : (now - flashing.seen) / shown_for;
-  const double strength = std::abs(std::cos(phase * pulses * 3.14159265)) * (1 - 0.5 * phase);
+  const double strength = std::abs(std::cos(phase * pulses * std::numbers::pi)) * (1 - 0.5 * phase);
   for (const std::string& name : flashing.names) {
     const ControlRecord* control = controls().find(name);
     if (!control || !controls().visible(*control)) continue;

@@ -71,7 +71,7 @@ class SeenSquare {
     request.outside = Outside::anything;
     frame_ = render(scene, view, settings, request, prepared, progress);
   }
-  bool contains(Vec2i p) const { return p.x >= part_.x0 && p.x < part_.x1 && p.y >= part_.y0 && p.y < part_.y1; }
+  bool contains(Vec2i p) const { return part_.contains(p.x, p.y); }
   Seen at(Vec2i p) const { return row_of(p.y).at(p.x); }
   std::string name(Vec2i p) const {
     const PixelId id = at(p).id;

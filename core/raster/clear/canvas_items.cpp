@@ -19,8 +19,28 @@ struct LinePaint {
   PixelId id;  ///< of a wireframe's triangle; -1 for canvas items
 };
 
-bool contains(const TileRect& rect, const Vec2i& pixel) {
-  return pixel.x >= rect.x0 && pixel.x < rect.x1 && pixel.y >= rect.y0 && pixel.y < rect.y1;
+/// Writes step `step` of a line into `pixel`, which lies in the tile.
+template <class Real, class Recorder>
+void draw_line_pixel(const Pass<Real>& pass, const ScreenLine<Real>& line, const LinePaint<Real>& paint,
+                     const Vec2i& pixel, int step, Target<Real>& target, Recorder& recorder) {
+  const Vec3<Real> before = target.colour(pixel.x, pixel.y);
+  const Vec3<Real> after = blend_over(paint.blend, before, paint.colour);
+  target.set_colour(pixel.x, pixel.y, after);
+  recorder.count(Counter::pixels_written);
+  if (target.wants(Channel::overdraw)) ++target.frame().overdraw.at(pixel.x, pixel.y);
+  if (target.wants(Channel::ids) && paint.id.object >= 0) target.frame().ids.at(pixel.x, pixel.y) = paint.id;
+  if (paint.blend != Blend::replace) {
+    recorder.event([&] { return WriteEvent{paint.id, Vec3d(before), Vec3d(paint.colour), Vec3d(after)}; });
+    return;
+  }
+  recorder.event([&] {
+    const int columns = pass.viewport.columns, rows = pass.viewport.rows;
+    const auto place = [&](const Vec2<Real>& p) {
+      const int right = columns / 2, up = rows - rows / 2;  // of the canvas's centre, whole pixels
+      return Vec2d(static_cast<double>(p.x) + right, up - static_cast<double>(p.y));
+    };
+    return LineEvent{paint.id, place(line.from), place(line.to), step, Vec3d(paint.colour)};
+  });
 }
 
 /// Walks the whole line from its own start, so that a stepped algorithm does not depend on the tile, and draws what
@@ -28,29 +48,11 @@ bool contains(const TileRect& rect, const Vec2i& pixel) {
 template <class Real, class Recorder>
 void draw_line(const Pass<Real>& pass, const ScreenLine<Real>& line, const LinePaint<Real>& paint, Target<Real>& target,
                Recorder& recorder) {
-  const int columns = pass.viewport.columns;
-  const int rows = pass.viewport.rows;
   walk_line(pass.settings.line_algorithm, line.from, line.to, pass.settings.sample_position,
             [&](const Vec2i& book_name, int step) {
-              const Vec2i pixel = array_pixel(book_name, columns, rows);
-              if (!contains(target.rect(), pixel)) return;
-              const Vec3<Real> before = target.colour(pixel.x, pixel.y);
-              const Vec3<Real> after = blend_over(paint.blend, before, paint.colour);
-              target.set_colour(pixel.x, pixel.y, after);
-              recorder.count(Counter::pixels_written);
-              if (target.wants(Channel::overdraw)) ++target.frame().overdraw.at(pixel.x, pixel.y);
-              if (target.wants(Channel::ids) && paint.id.object >= 0)
-                target.frame().ids.at(pixel.x, pixel.y) = paint.id;
-              if (paint.blend != Blend::replace)
-                recorder.event([&] { return WriteEvent{paint.id, Vec3d(before), Vec3d(paint.colour), Vec3d(after)}; });
-              else
-                recorder.event([&] {
-                  const auto place = [&](const Vec2<Real>& p) {
-                    const int right = columns / 2, up = rows - rows / 2;  // of the canvas's centre, whole pixels
-                    return Vec2d(static_cast<double>(p.x) + right, up - static_cast<double>(p.y));
-                  };
-                  return LineEvent{paint.id, place(line.from), place(line.to), step, Vec3d(paint.colour)};
-                });
+              const Vec2i pixel = array_pixel(book_name, pass.viewport.columns, pass.viewport.rows);
+              if (target.rect().contains(pixel.x, pixel.y))
+                draw_line_pixel(pass, line, paint, pixel, step, target, recorder);
             });
 }
 

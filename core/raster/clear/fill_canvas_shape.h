@@ -18,7 +18,7 @@
 namespace ps::raster {
 
 template <class Real>
-Vec3<Real> blend_over(Blend blend, const Vec3<Real>& below, const Vec3<Real>& above) {
+inline Vec3<Real> blend_over(Blend blend, const Vec3<Real>& below, const Vec3<Real>& above) {
   switch (blend) {
   case Blend::replace:
     return above;

@@ -1,8 +1,7 @@
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "frame/display_frame.h"
+#include "math/has_nan.h"
 #include "render/channels/channels.h"
 
 /// Channels whose pixels are colours of the picture or of a map.
@@ -16,8 +15,8 @@ constexpr Rgb8 orange{255, 140, 0};
 enum class ColourKind { finite, nan, infinite };
 
 ColourKind kind_of_colour(const Vec3d& c) {
-  if (std::isnan(c.r) || std::isnan(c.g) || std::isnan(c.b)) return ColourKind::nan;
-  return std::isinf(c.r) || std::isinf(c.g) || std::isinf(c.b) ? ColourKind::infinite : ColourKind::finite;
+  if (has_nan(c)) return ColourKind::nan;
+  return is_finite(c) ? ColourKind::finite : ColourKind::infinite;
 }
 
 ChannelPicture nan_picture(const Frame& frame, const Settings& settings) {

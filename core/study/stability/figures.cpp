@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/check.h"
 #include "base/csv.h"
 
 namespace ps {
@@ -133,14 +134,14 @@ std::string first_figure_text(const StabilityExperiment& experiment, std::span<c
 
 std::string stability_csv_with_meaning(std::string_view csv, const StabilityExperiment& experiment,
                                        std::span<const StabilityRow> rows) {
-  std::vector<std::string> meanings;
-  for (const StabilityRow& row : rows) {
-    const StabilitySeries& quantity = quantity_of(experiment, row.series);
-    meanings.push_back(fmt::format("{},{},{},{},{}", quoted_csv_field(quantity.title), quoted_csv_field(quantity.unit),
-                                   better_key(quantity.better), quoted_csv_field(knob_title(experiment, quantity)),
-                                   quoted_csv_field(case_name(quantity, row.knob))));
-  }
-  return csv_with_columns(csv, "quantity,quantity_unit,better,knob_title,knob_name", meanings);
+  const std::vector<std::string> heading{"quantity", "quantity_unit", "better", "knob_title", "knob_name"};
+  return csv_with_columns(csv, heading, [&](std::size_t i) {
+    PS_ASSERT(i < rows.size(), "each line of the table is a row");
+    const StabilitySeries& quantity = quantity_of(experiment, rows[i].series);
+    return std::vector<std::string>{
+        std::string(quantity.title), std::string(quantity.unit), std::string(better_key(quantity.better)),
+        std::string(knob_title(experiment, quantity)), std::string(case_name(quantity, rows[i].knob))};
+  });
 }
 
 }  // namespace ps

@@ -47,7 +47,7 @@ FlatMesh turned_mesh(int cells, double grid, const StabilityRun& run) {
   return turned(jittered_mesh(cells, middle - half, middle + half, 0.2, 0, random), Vec2d(middle, middle), 0.5, grid);
 }
 
-/// 32 x 31 pixels each: the sides run through samples, the diagonals through hardly any.
+/// 32 x 31 pixels each: the edges run through samples, the diagonals through hardly any.
 FlatMesh rectangles() {
   Random unused(0);
   FlatMesh mesh = jittered_mesh(22, 0, 22, 0, 1, unused);
@@ -55,7 +55,7 @@ FlatMesh rectangles() {
   return mesh;
 }
 
-/// 7,200 triangles with vertices on half pixels, or rectangles whose sides run through samples.
+/// 7,200 triangles with vertices on half pixels, or rectangles whose edges run through samples.
 std::vector<StabilityRow> measure_easy(const StabilityRun& run) {
   Rows rows(run);
   for (const bool squares : {false, true}) {
@@ -67,7 +67,7 @@ std::vector<StabilityRow> measure_easy(const StabilityRun& run) {
     const Painted robust = painted(FillRule::top_left);
     for (const FillRule rule : {FillRule::inclusive, FillRule::exclusive}) {
       const Painted naive = painted(rule);
-      const std::string name = std::string(squares ? "sides on samples" : "corners on half pixels") +
+      const std::string name = std::string(squares ? "edges on samples" : "vertices on half pixels") +
                                (rule == FillRule::inclusive ? ", >= 0" : ", > 0");
       const double knob = rule == FillRule::inclusive ? 0 : 1;
       rows.push_back({knob, name + ", holes", naive.holes, robust.holes, "px of 429,025"});

@@ -104,10 +104,10 @@ std::string_view set_up_text(SetUp set_up) {
 }
 
 std::string stability_csv(std::span<const StabilityRow> rows) {
-  std::string text = "knob,series,naive,robust,unit\n";
+  std::string text = csv_row({"knob", "series", "naive", "robust", "unit"});
   for (const StabilityRow& row : rows)
-    text += fmt::format("{},{},{},{},{}\n", row.knob, quoted_csv_field(row.series), number_field(row.naive),
-                        number_field(row.robust), quoted_csv_field(row.unit));
+    text +=
+        csv_row({fmt::format("{}", row.knob), row.series, number_field(row.naive), number_field(row.robust), row.unit});
   return text;
 }
 

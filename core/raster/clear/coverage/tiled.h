@@ -48,7 +48,7 @@ void walk_tile(const CoverageInput& input, const TileRect& box, int x, int y, Si
   for (; mask != 0; mask &= mask - 1) {
     const int bit = std::countr_zero(mask);
     const int column = x + bit % mask_tile, row = y + bit / mask_tile;
-    if (column >= wanted.x0 && column < wanted.x1 && row >= wanted.y0 && row < wanted.y1) sink.cover(column, row);
+    if (wanted.contains(column, row)) sink.cover(column, row);
   }
 }
 
