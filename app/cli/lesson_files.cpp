@@ -52,7 +52,7 @@ int new_lesson(const std::filesystem::path& folder) {
       throw InputError(fmt::format("{} exists already", (folder / name).string()));
   }
   make_folder(folder);
-  write_file_atomically(folder / "lesson.md", lesson_template);
+  write_file_atomically(folder / "lesson.md", lesson_template());
   write_file_atomically(folder / "balls.scene", lesson_template_scene);
   fmt::print("Open it with: pixelscope --lesson {0}\nCheck it with: pixelscope-cli lessons check {0}\n",
              std::filesystem::absolute(folder).lexically_normal().string());

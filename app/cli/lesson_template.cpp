@@ -1,8 +1,13 @@
 #include "cli/lesson_template.h"
 
-namespace ps::cli {
+#include <fmt/format.h>
 
-const std::string_view lesson_template = R"(# A title of your own
+#include "options/renderer_kind.h"
+
+namespace ps::cli {
+namespace {
+
+constexpr std::string_view before_renderer = R"(# A title of your own
 source: where it comes from
 
 What is above the first step introduces the lesson. The fenced block below holds for all steps. A scene of your own lies
@@ -10,7 +15,9 @@ in this folder and begins with `./`; the names of built-in scenes are listed by 
 
 ```settings
 scene ./balls.scene
-set-both renderer=ray-tracer
+set-both renderer=)";
+
+constexpr std::string_view behind_renderer = R"(
 ```
 
 ## The first step
@@ -74,6 +81,12 @@ unit rays
 why The picture has 300 columns and 200 rows.
 ```
 )";
+
+}  // namespace
+
+std::string lesson_template() {
+  return fmt::format("{}{}{}", before_renderer, renderer_kind(renderer_for(PictureWay::rays)).key, behind_renderer);
+}
 
 const std::string_view lesson_template_scene =
     R"(# A scene of your own. Sizes are in units of the world, colours from 0 to 255.

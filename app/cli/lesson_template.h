@@ -1,11 +1,12 @@
 #pragma once
+#include <string>
 #include <string_view>
 
 namespace ps::cli {
 
 /// What a new lesson begins with: a lesson.md that explains its own form, shows each kind of block and passes the
 /// check.
-extern const std::string_view lesson_template;
+std::string lesson_template();
 /// The scene file beside it, balls.scene.
 extern const std::string_view lesson_template_scene;
 

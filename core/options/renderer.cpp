@@ -55,6 +55,7 @@ const RendererKind& renderer_kind(Renderer renderer) {
 Renderer add_renderer_kind(const RendererKind& kind) {
   PS_ASSERT(!listed, "renderers are added before the option table is used");
   kinds().push_back(kind);
+  kinds().back().added = true;
   return static_cast<Renderer>(kinds().size() - 1);
 }
 

@@ -46,6 +46,7 @@ struct RendererKind {
   std::optional<std::string_view> (*lacks_value)(const Option&, double value, const Settings&) = nullptr;
   /// Why it cannot make pictures on this machine, or nothing. May be nullptr: it always can.
   std::optional<std::string_view> (*inactive)(const Settings&, const SceneTraits&) = nullptr;
+  bool added = false;  ///< by a program, to those of core; add_renderer_kind() says so
 };
 
 /// All renderers, in the order of their numbers.

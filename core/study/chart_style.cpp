@@ -87,7 +87,7 @@ MarkShape mark_shape(Renderer renderer) {
   case PictureWay::rays:
     return MarkShape::circle;
   case PictureWay::fragments:
-    return renderer == renderer_for(PictureWay::fragments) ? MarkShape::square : MarkShape::diamond;
+    return renderer_kind(renderer).added ? MarkShape::diamond : MarkShape::square;
   case PictureWay::listing:
     return MarkShape::triangle;
   }

@@ -7,15 +7,10 @@
 
 #include "options/renderer_kind.h"
 #include "scene/scene.h"
+#include "study/stability/added_renderer.h"
 
 namespace ps {
 namespace {
-
-/// A renderer that comes with some programs only (core/README.md).
-struct OptionalRenderer {
-  std::string_view key, why_absent;
-};
-constexpr OptionalRenderer hardware_renderer{"hardware", "this program was built without the hardware renderer"};
 
 std::optional<std::string_view> why_not_here(const RendererKind& kind) {
   return kind.inactive ? kind.inactive(Settings{}, SceneTraits{}) : std::nullopt;
@@ -48,8 +43,9 @@ std::vector<std::string> absent_renderers(std::span<const SweepAxis> axes) {
     if (const auto reason = why_not_here(kind); reason && draws_any_scene(kind))
       absent.push_back(fmt::format("{}: {}", kind.label, *reason));
   const auto all = renderer_kinds();
-  if (std::none_of(all.begin(), all.end(), [](const RendererKind& kind) { return kind.key == hardware_renderer.key; }))
-    absent.push_back(fmt::format("{}: {}", hardware_renderer.key, hardware_renderer.why_absent));
+  const std::string_view key = stability::hardware_renderer_key;
+  if (std::none_of(all.begin(), all.end(), [&](const RendererKind& kind) { return kind.key == key; }))
+    absent.push_back(fmt::format("{0}: this program was built without the {0} renderer", key));
   return absent;
 }
 

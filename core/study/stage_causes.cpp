@@ -67,7 +67,11 @@ void count_pixel(StageShare& share, bool colour, bool id, double error) {
 }
 
 bool gives_stages(const Settings& settings) { return renderer_row(settings.renderer).stage_values != nullptr; }
-bool is_rasterizer(const Settings& settings) { return settings.renderer == renderer_for(PictureWay::fragments); }
+
+/// Core's own renderer of fragments: it takes over after each stage of the other one.
+bool is_rasterizer(const Settings& settings) {
+  return draws_fragments(settings.renderer) && !renderer_kind(settings.renderer).added;
+}
 
 }  // namespace
 

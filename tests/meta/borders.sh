@@ -34,16 +34,19 @@ forbid 'OpenGL by name outside app/gui/platform' '\b(gl[A-Z]\w*\(|GL_[A-Z]|GL(u?
 forbid 'X11 or Wayland' "$(includes '(X11|xcb|wayland)[/-]')" "$all"
 forbid 'stb outside core/image' "$(includes '(.*/)?stb_')" "$all" '^core/image/'
 forbid 'A thread started outside core/base' 'std::(jthread|async|thread(?!::))\b|pthread_create' "$library" '^core/base/'
+forbid 'A thread of the window started outside app/gui/work and the wait for signals' 'std::(jthread|async|thread(?!::))\b|pthread_create' \
+  '^app/' '^app/gui/(work/|platform/end_signals\.cpp$)'
 forbid 'A tree for the space view built on the thread of the window' '\badd_tree\(' '^app/' '^app/gui/work/'
 # The C library's results depend on the processor and on its version; math/portable.h and math/power.h replace them.
 forbid 'Functions of the C library whose last bits differ, in what makes pictures' \
   'std::(a?(sin|cos|tan)h?|atan2|exp2?|expm1|pow|log(2|10|1p)?|cbrt|hypot|fma)f?\(' \
   '^core/(accel|frame|raster|raytrace|record|render|scene|shade|textbook)/|^chapters/' '^core/record/value_text'
 # The renderers of core are named by the enum and its default, by their rows in the option table, and by the table that
-# asks each folder for its row; whatever else must know how a picture is made asks options/renderer_kind.h.
-namers='^core/(options/settings\.h|options/renderer\.cpp|render/renderer_table\.cpp)$'
+# asks each folder for its row; whatever else must know how a picture is made asks options/renderer_kind.h. Experiments
+# that measure the graphics driver, and the remark that a program lacks it, take the name from one file.
+namers='^core/(options/settings\.h|options/renderer\.cpp|render/renderer_table\.cpp|study/stability/added_renderer\.h)$'
 forbid 'One renderer by name: ask for its way of making pictures (options/renderer_kind.h) or its row' \
-  '^((?!//).)*(Renderer::(ray_tracer|rasterizer|textbook)\b|\b(ray_tracer|rasterizer|textbook)_row\(|"(ray-tracer|rasterizer|textbook)"|"[^"]*renderer=(ray-tracer|rasterizer|textbook))' \
+  '^((?!//).)*(Renderer::(ray_tracer|rasterizer|textbook)\b|\b(ray_tracer|rasterizer|textbook)_row\(|"(ray-tracer|rasterizer|textbook|hardware)"|\brenderer=(ray-tracer|rasterizer|textbook|hardware))' \
   '^(core|chapters|app)/' "^core/(raytrace|raster|textbook|hardware)/|$namers"
 forbid 'What libc++ 14 lacks, in core/ or chapters/' \
   "$(includes '(format|source_location|stop_token|syncstream|stacktrace|expected|generator)>')|std::(jthread|stop_token|source_location|format|views|ranges::views)\\b" \

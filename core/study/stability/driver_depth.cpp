@@ -14,7 +14,7 @@ namespace ps::stability::driver_depth {
 namespace {
 
 constexpr int side = 128;
-constexpr double depth = 1000, slant = 100;  // of the sheets' middle, and how much deeper their right edge is
+constexpr double depth = 1000, slant = 100;  // of the sheets' centre, and how much deeper their right edge is
 
 /// Two sheets across the picture, the near one drawn last. They are slanted, so that each column has depths of its own.
 std::string sheets_text(double gap) {
@@ -127,7 +127,7 @@ extern const StabilityExperiment driver_depth{
     .series = driver_depth_series,
     .measure = measure_sheets,
     .picture = picture_sheets,
-    .renderer = "hardware",
+    .renderer = hardware_renderer_key,
     .frames = shown_gaps};
 
 }  // namespace ps::stability::driver_depth

@@ -154,7 +154,7 @@ extern const StabilityExperiment driver_edges{
     .series = driver_edges_series,
     .measure = measure_edges,
     .picture = picture_of_bricks,
-    .renderer = "hardware",
+    .renderer = hardware_renderer_key,
     .frames = frames};
 
 }  // namespace ps::stability::driver_edges

@@ -15,12 +15,12 @@ namespace ps::stability::driver_level {
 namespace {
 
 constexpr int side = 128, texels = 256;
-constexpr double middle_z = 4;    // of the plane's middle before the eye
+constexpr double middle_z = 4;    // of the plane's centre before the eye
 constexpr double axis_turn = 20;  // degrees from the horizontal, so that no border between levels is a row of pixels
 constexpr double repeats_per_unit = 4;  // facing the eye, a pixel is 8 texels wide: level 3
 constexpr double reach = 400;           // half the plane's side
 
-/// A plane through the middle of the view, tilted about an axis across the picture.
+/// A plane through the centre of the view, tilted about an axis across the picture.
 std::string plane_text(double tilt_degrees) {
   const double tilt = tilt_degrees * pi / 180;
   const double turn = axis_turn * pi / 180;
@@ -250,7 +250,7 @@ extern const StabilityExperiment driver_level{
     .series = driver_level_series,
     .measure = measure_level,
     .picture = picture_level,
-    .renderer = "hardware",
+    .renderer = hardware_renderer_key,
     .frames = tilts};
 
 }  // namespace ps::stability::driver_level

@@ -106,14 +106,12 @@ extern const StabilityExperiment driver_snapping{
     .naive = "vertices as the driver rounds them",
     .robust = "the rasterizer with 12 sub-pixel bits",
     .explanation = "A graphics driver rounds vertices to fractions of a pixel, and no option gives it more bits. An "
-                   "edge that moves "
-                   "slowly stands still, then jumps by one such fraction. The rasterizer rounds vertices as well, to "
-                   "as many bits as "
-                   "the option subpixel-bits says.",
+                   "edge that moves slowly stays in place, then jumps by one such fraction. The rasterizer rounds "
+                   "vertices as well, to as many bits as the option subpixel-bits says.",
     .safe = "Movements of many sub-pixels in each picture.",
     .window = nowhere_safe,
     .series = driver_snapping_series,
     .measure = measure_edge,
-    .renderer = "hardware"};
+    .renderer = hardware_renderer_key};
 
 }  // namespace ps::stability::driver_snapping

@@ -72,7 +72,7 @@ TEST(DriverSnapping, MovesTheEdgeByTheSubPixelsThatTheDriverReports) {
     EXPECT_LE(row.robust, 0.5 / 4096 + counted) << moved;
     largest = std::max(largest, row.naive);
   }
-  EXPECT_GT(largest, 0.35 / steps) << "the edge stands still between two sub-pixels";
+  EXPECT_GT(largest, 0.35 / steps) << "the edge stays in place between two sub-pixels";
 }
 
 TEST(DriverDepth, FormatsKeepSheetsApartFromTheWidthOfACode) {
