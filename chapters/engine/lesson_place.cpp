@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <system_error>
 
 #include "base/check.h"
+#include "base/number_text.h"
 #include "base/resources.h"
 #include "base/spelling.h"
 #include "engine/course.h"
@@ -46,11 +46,10 @@ LessonPlace parse_built_in_place(std::string_view text) {
 }
 
 int parse_step_number(std::string_view text) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size() || number < 1 || number > most_steps)
+  const auto number = parse_integer<int>(text);
+  if (!number || *number < 1 || *number > most_steps)
     throw InputError(fmt::format("found the step '{}', expected a whole number from 1", text));
-  return number - 1;
+  return *number - 1;
 }
 
 std::string lesson_folder_at(const std::filesystem::path& path) {

@@ -3,25 +3,12 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
-#include <optional>
 
 #include "base/check.h"
 #include "base/number_text.h"
 #include "image/image.h"
 
 namespace ps {
-namespace {
-
-template <class Integer>
-std::optional<Integer> parse_integer(std::string_view text) {
-  Integer value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return {};
-  return value;
-}
-
-}  // namespace
 
 std::string number_list_text(std::span<const double> numbers) {
   std::string text;

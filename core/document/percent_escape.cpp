@@ -1,8 +1,7 @@
 #include <fmt/format.h>
 
-#include <charconv>
-
 #include "base/check.h"
+#include "base/number_text.h"
 #include "document/permalink.h"
 
 namespace ps {
@@ -35,11 +34,10 @@ std::string percent_unescape(std::string_view text) {
       continue;
     }
     const std::string_view digits = text.substr(i + 1, 2);
-    unsigned value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
-    if (digits.size() != 2 || error != std::errc() || end != digits.data() + 2)
+    const auto value = parse_integer<unsigned>(digits, 16);
+    if (digits.size() != 2 || !value)
       throw InputError(fmt::format("permalink: found '%{}', expected two hexadecimal digits after %", digits));
-    plain += static_cast<char>(value);
+    plain += static_cast<char>(*value);
     i += 2;
   }
   return plain;

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "base/check.h"
+#include "base/number_text.h"
 
 namespace ps {
 namespace {
@@ -41,17 +41,14 @@ SlowMotion parse_slow_motion(std::string_view text) {
   const std::string_view key = text.substr(0, colon);
   const auto row = std::find_if(std::begin(unit_rows), std::end(unit_rows),
                                 [&](const SlowUnitRow& each) { return each.key == key; });
-  std::uint64_t at = 0;
-  const std::string_view number = colon == std::string_view::npos ? std::string_view{} : text.substr(colon + 1);
-  const char* end = number.data() + number.size();
-  const auto read = std::from_chars(number.data(), end, at);
-  if (row == std::end(unit_rows) || number.empty() || read.ec != std::errc() || read.ptr != end) {
+  const auto at = parse_integer<std::uint64_t>(colon == std::string_view::npos ? "" : text.substr(colon + 1));
+  if (row == std::end(unit_rows) || !at) {
     std::string keys;
     for (const SlowUnitRow& each : unit_rows) keys += fmt::format("{}{}", keys.empty() ? "" : " ", each.key);
     throw InputError(fmt::format(
         "slow motion: found '{}', expected UNIT:N with a whole number from 0 and one of the units {}", text, keys));
   }
-  return {row->unit, at};
+  return {row->unit, *at};
 }
 
 }  // namespace ps

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <sstream>
 
 #include "base/check.h"
+#include "base/number_text.h"
 
 namespace ps::hardware {
 namespace {
@@ -118,11 +118,8 @@ class ConditionReader {
       const auto found = definitions_.find(token);
       return found == definitions_.end() ? 0 : found->second;
     }
-    int value = 0;
-    const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
-    if (error != std::errc() || end != token.data() + token.size())
-      throw InputError(fmt::format("#if: found '{}', expected a whole number", token));
-    return value;
+    if (const auto value = parse_integer<int>(token)) return *value;
+    throw InputError(fmt::format("#if: found '{}', expected a whole number", token));
   }
 
   std::vector<std::string> tokens_;

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <sstream>
 
 #include "base/check.h"
+#include "base/number_text.h"
 
 namespace ps::hardware {
 namespace {
@@ -41,7 +41,7 @@ std::string guard_of(std::string name) {
 }
 
 /// Adds a file's lines, and in the place of each #include those of the file that it names. The compiler passes over all
-/// but the first of a file that it reaches: only it knows which of them stand in a part that is left out.
+/// but the first of a file that it reaches: only it knows which of them are in a part that is left out.
 void add_file(ShaderFiles& files, const std::string& name, ShaderText& shader) {
   const int number = static_cast<int>(shader.files.size());
   shader.files.push_back(name);
@@ -71,14 +71,6 @@ bool skip(std::string_view& text, std::string_view word) {
   return true;
 }
 
-std::optional<std::size_t> take_number(std::string_view& text) {
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc()) return {};
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  return number;
-}
-
 }  // namespace
 
 ShaderText shader_text(ShaderFiles& files, std::string_view file, ShaderStage stage, Api api,
@@ -100,11 +92,11 @@ std::string compiler_words(const ShaderText& shader, std::string_view log) {
   const std::string_view line = log.substr(0, log.find('\n'));
   std::string_view rest = line;
   const bool error_first = skip(rest, "ERROR: ");
-  const std::optional<std::size_t> file = take_number(rest);
+  const std::optional<std::size_t> file = take_integer<std::size_t>(rest);
   if (!file || *file >= shader.files.size()) return std::string(line);
   const bool bracket = skip(rest, "(");
   if (!bracket && !skip(rest, ":")) return std::string(line);
-  const std::optional<std::size_t> number = take_number(rest);
+  const std::optional<std::size_t> number = take_integer<std::size_t>(rest);
   if (!number) return std::string(line);
   if (bracket && skip(rest, ")")) skip(rest, " ");
   std::string what(rest);

@@ -1,7 +1,5 @@
 #include "image/pnm_text.h"
 
-#include <charconv>
-
 #include <fmt/format.h>
 
 #include "base/check.h"
@@ -50,11 +48,9 @@ std::string_view PnmText::word(std::string_view expected) {
 std::int64_t PnmText::integer(std::int64_t low, std::int64_t high, std::string_view what) {
   const std::string expected = fmt::format("{}: a whole number from {} to {}", what, low, high);
   const std::string_view text = word(expected);
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value < low || value > high)
-    fail(shown(text), expected);
-  return value;
+  const auto value = parse_integer<std::int64_t>(text);
+  if (!value || *value < low || *value > high) fail(shown(text), expected);
+  return *value;
 }
 
 double PnmText::real(std::string_view what) {

@@ -1,5 +1,4 @@
-#include <charconv>
-
+#include "base/number_text.h"
 #include "student/compile_listing.h"
 #include "textbook/listing_source.h"
 
@@ -21,9 +20,11 @@ constexpr MessageWord message_words[] = {{"fatal error: ", MessageKind::error},
 
 /// Reads a number and the colon behind it off the front.
 bool take_number(std::string_view& text, int& number) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end == text.data() + text.size() || *end != ':') return false;
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()) + 1);
+  std::string_view rest = text;
+  const auto found = take_integer<int>(rest);
+  if (!found || !rest.starts_with(':')) return false;
+  number = *found;
+  text = rest.substr(1);
   return true;
 }
 

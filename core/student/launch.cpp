@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/number_text.h"
 #include "base/resources.h"
 #include "base/timer.h"
 #include "student/descriptors.h"
@@ -110,7 +111,8 @@ bool read_some(Descriptor& from, std::string& to) {
 void read_verdict(const std::string& line, const Launch& what, Launched& launched) {
   const std::size_t blank = line.find(' ');
   const std::string word = line.substr(0, blank);
-  const int number = blank == std::string::npos ? 0 : std::atoi(line.c_str() + blank + 1);
+  std::string_view behind = blank == std::string::npos ? std::string_view{} : std::string_view(line).substr(blank + 1);
+  const int number = take_integer<int>(behind).value_or(0);  // a line end follows
   launched.status = number;
   if (word == "exited")
     launched.end = LaunchEnd::exited;

@@ -1,13 +1,13 @@
 #include "study/chart.h"
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 
 #include <fmt/format.h>
 
 #include "base/check.h"
 #include "base/memory_size.h"
+#include "base/number_text.h"
 #include "frame/display_frame.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
@@ -251,16 +251,11 @@ ChartAcross parse_chart_across(std::string_view key) {
 
 Shard parse_shard(std::string_view text) {
   const auto slash = text.find('/');
-  const auto whole = [&](std::string_view part) {
-    int value = -1;
-    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
-    return error == std::errc() && end == part.data() + part.size() ? value : -1;
-  };
-  const int index = slash == std::string_view::npos ? -1 : whole(text.substr(0, slash));
-  const int count = slash == std::string_view::npos ? -1 : whole(text.substr(slash + 1));
-  if (index < 0 || count < 1 || index > count)
+  const auto index = parse_integer<int>(text.substr(0, slash));
+  const auto count = slash == std::string_view::npos ? std::nullopt : parse_integer<int>(text.substr(slash + 1));
+  if (!index || !count || *index < 0 || *count < 1 || *index > *count)
     throw InputError(fmt::format("shard: found '{}', expected i/n with i from 1 to n", text));
-  return {index % count, count};
+  return {*index % *count, *count};
 }
 
 Chart run_chart(const ChartRequest& request, StudyControl& control, const ChartUpdate& update, const Clock& clock) {

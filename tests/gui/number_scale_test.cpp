@@ -51,6 +51,18 @@ TEST(NumberScale, WheelStepsAreRoundAndReversible) {
   EXPECT_EQ(stepped_value(64, 1, depth), 64);
 }
 
+TEST(NumberScale, TypedNumbersAreReadWhole) {
+  const NumberRange range{-10, 100000, ps::OptionScale::linear, false, {}};
+  const NumberRange whole{0, 10, ps::OptionScale::linear, true, {}};
+  EXPECT_EQ(typed_value("0.25", range), 0.25);
+  EXPECT_EQ(typed_value("  -2.5e0 ", range), -2.5);
+  EXPECT_EQ(typed_value("57,600", range), 57600);
+  EXPECT_EQ(typed_value("1e9", range), 100000) << "kept in the range";
+  EXPECT_EQ(typed_value("2.6", whole), 3);
+  for (const char* text : {"", "   ", "5abc", "5 6", "1,5", "inf", "nan", "0x10"})
+    EXPECT_FALSE(typed_value(text, range)) << '\'' << text << '\'';
+}
+
 TEST(NumberText, FourSignificantDigits) {
   EXPECT_EQ(short_number(0.001), "0.001");
   EXPECT_EQ(short_number(3.14159265), "3.142");

@@ -2,11 +2,13 @@
 
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <locale>
 #include <optional>
 #include <random>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -16,8 +18,10 @@
 namespace number_text_test {
 namespace {
 
+using ps::parse_integer;
 using ps::parse_number;
 using ps::parse_typed_number;
+using ps::take_integer;
 using ps::with_thousands;
 
 struct CommaForPoint : std::numpunct<char> {
@@ -91,6 +95,32 @@ TEST(NumberText, CommasOfAPersonSetThousandsApart) {
   for (const char* text :
        {"", ",", "1,5", "1,0000", "1,2345678", ",600", "1000,000", "1,,000", "1,000,", "0.5,000", "1,000e", "+,"})
     EXPECT_FALSE(parse_typed_number(text)) << text;
+}
+
+TEST(NumberText, ReadsWholeIntegers) {
+  EXPECT_EQ(parse_integer<int>("-12"), -12);
+  EXPECT_EQ(parse_integer<int>("007"), 7);
+  EXPECT_EQ(parse_integer<unsigned>("fF", 16), 255u);
+  EXPECT_EQ(parse_integer<std::uint64_t>("18446744073709551615"), 18446744073709551615u);
+  for (const char* text : {"", "-", "+1", " 1", "1 ", "1.0", "1e3", "0x10", "5abc", "2147483648", "-2147483649"})
+    EXPECT_FALSE(parse_integer<int>(text)) << '\'' << text << '\'';
+  EXPECT_FALSE(parse_integer<unsigned>("-1"));
+  EXPECT_FALSE(parse_integer<int>({}));
+}
+
+TEST(NumberText, TakesAnIntegerOffTheFront) {
+  std::string_view text = "12:-5) rest";
+  EXPECT_EQ(take_integer<int>(text), 12);
+  EXPECT_EQ(text, ":-5) rest");
+  EXPECT_FALSE(take_integer<int>(text));
+  EXPECT_EQ(text, ":-5) rest") << "stays where there is no number";
+  text.remove_prefix(1);
+  EXPECT_FALSE(take_integer<unsigned>(text));
+  EXPECT_EQ(take_integer<int>(text), -5);
+  EXPECT_EQ(text, ") rest");
+  text = "99999999999 more";
+  EXPECT_FALSE(take_integer<int>(text));
+  EXPECT_EQ(text, "99999999999 more") << "stays where the number does not fit";
 }
 
 TEST(NumberText, ThousandsAreApart) {

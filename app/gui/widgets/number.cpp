@@ -1,7 +1,6 @@
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -80,15 +79,10 @@ Edit typed(std::string_view name, double& value, const NumberRange& range, float
   if (!enter && !left) return edit;
   gesture.typing = false;
   gesture.id = 0;
-  double wanted = 0;
-  const char* begin = gesture.text.c_str();
-  const char* end = begin + gesture.text.size();
-  while (begin < end && *begin == ' ') ++begin;
-  const auto [stop, error] = std::from_chars(begin, end, wanted);
-  if (cancelled || error != std::errc() || !std::isfinite(wanted)) return edit;
-  wanted = std::clamp(range.integer ? std::round(wanted) : wanted, range.minimum, range.maximum);
-  edit.changed = edit.finished = wanted != value;
-  value = wanted;
+  const auto wanted = typed_value(gesture.text, range);
+  if (cancelled || !wanted) return edit;
+  edit.changed = edit.finished = *wanted != value;
+  value = *wanted;
   return edit;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/number_text.h"
+
 namespace ps::gui {
 namespace {
 
@@ -87,6 +89,13 @@ double stepped_value(double value, int steps, const NumberRange& range) {
     value = keep_in(value, range);
   }
   return value;
+}
+
+std::optional<double> typed_value(std::string_view text, const NumberRange& range) {
+  const std::size_t first = text.find_first_not_of(' ');
+  if (first == std::string_view::npos) return {};
+  const auto value = parse_typed_number(text.substr(first, text.find_last_not_of(' ') + 1 - first));
+  return value ? std::optional(keep_in(*value, range)) : std::nullopt;
 }
 
 }  // namespace ps::gui

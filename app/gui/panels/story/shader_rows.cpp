@@ -1,7 +1,8 @@
 #include "gui/panels/story/shader_rows.h"
 
-#include <charconv>
 #include <optional>
+
+#include "base/number_text.h"
 
 namespace ps::gui {
 namespace {
@@ -10,10 +11,8 @@ namespace {
 std::optional<int> line_in(std::string_view message, const std::string& file) {
   const std::size_t at = message.find(file + ":");
   if (at == std::string_view::npos) return {};
-  const std::string_view digits = message.substr(at + file.size() + 1);
-  int number = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  return error == std::errc() ? std::optional(number) : std::nullopt;
+  std::string_view behind = message.substr(at + file.size() + 1);
+  return take_integer<int>(behind);
 }
 
 /// What is wrong: "error: syntax error, unexpected ..."
