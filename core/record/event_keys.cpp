@@ -101,7 +101,7 @@ std::string_view event_key(FragmentEvent::Pass pass) {
   case FragmentEvent::Pass::only:
     return "only";
   case FragmentEvent::Pass::depth_first:
-    return "depth first";
+    return "depth-first";
   case FragmentEvent::Pass::shading:
     return "shading";
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <string_view>
 
 #include "math/vec.h"
@@ -6,6 +7,7 @@
 namespace ps {
 
 enum class LightKind { ambient, point, directional };
+inline constexpr std::array light_kinds{LightKind::ambient, LightKind::point, LightKind::directional};
 
 /// "ambient", "point", "directional"
 constexpr std::string_view light_kind_key(LightKind kind) {

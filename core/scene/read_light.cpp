@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "scene/scene_draft.h"
 
 namespace ps {
@@ -12,25 +14,36 @@ Vec3d read_attenuation(const SceneValues& values, const SceneTerm& term) {
   return attenuation;
 }
 
+namespace {
+
+LightKind read_light_kind(const SceneValues& values, const SceneTerm& term) {
+  const std::string expected = "ambient, point or directional";
+  const std::string key = values.name(term, expected);
+  const auto found =
+      std::find_if(light_kinds.begin(), light_kinds.end(), [&](LightKind kind) { return light_kind_key(kind) == key; });
+  if (found == light_kinds.end()) values.fail(term, expected);
+  return *found;
+}
+
+}  // namespace
+
 void read_light(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
   const SceneValues& values = source.values;
   const SceneFields fields(values, entry, {"type", "intensity", "position", "direction", "color", "attenuation"});
   Light light;
-  const SceneTerm& type = fields.require("type");
-  const std::string kind = values.name(type, "ambient, point or directional");
-  if (kind == "ambient") {
-    light.kind = LightKind::ambient;
+  light.kind = read_light_kind(values, fields.require("type"));
+  switch (light.kind) {
+  case LightKind::ambient:
     fields.forbid({"position", "direction"}, "no position or direction: ambient light has none");
-  } else if (kind == "point") {
-    light.kind = LightKind::point;
+    break;
+  case LightKind::point:
     fields.forbid({"direction"}, "'position': a point light has no direction");
     light.position = values.vec3(fields.require("position"));
-  } else if (kind == "directional") {
-    light.kind = LightKind::directional;
+    break;
+  case LightKind::directional:
     fields.forbid({"position"}, "'direction': a directional light has no position");
     light.direction = values.direction(fields.require("direction"));
-  } else {
-    values.fail(type, "ambient, point or directional");
+    break;
   }
   if (const auto* term = fields.find("attenuation")) {
     if (light.kind != LightKind::point) values.fail(*term, "no attenuation: only point lights have a distance");

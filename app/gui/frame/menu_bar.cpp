@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 
+#include "document/permalink.h"
 #include "gui/frame/show_panel.h"
 #include "gui/panels/lesson/first_look.h"
 #include "gui/panels/lesson/lesson_panel.h"
@@ -58,16 +59,17 @@ void MenuBar::study_menu() {
 void MenuBar::mode_buttons() {
   struct Row {
     ScreenMode mode;
-    const char *name, *label, *help;
+    const char *label, *help;
   };
   static constexpr std::array rows{
-      Row{ScreenMode::lesson, "lesson", "Lesson", "The lesson's text beside large pictures (F2)."},
-      Row{ScreenMode::explore, "explore", "Explore", "All options and tools around the pictures (F3)."},
-      Row{ScreenMode::study, "study", "Study", "A chart or a table at full height beside small pictures (F4)."}};
+      Row{ScreenMode::lesson, "Lesson", "The lesson's text beside large pictures (F2)."},
+      Row{ScreenMode::explore, "Explore", "All options and tools around the pictures (F3)."},
+      Row{ScreenMode::study, "Study", "A chart or a table at full height beside small pictures (F4)."}};
   const NameScope scope("mode");
   ImGui::SetCursorPosX(px(8));
   for (const Row& row : rows)
-    if (button_on_off(row.name, row.label, session_.document().mode == row.mode, {.tooltip = row.help, .disabled = {}}))
+    if (button_on_off(mode_key(row.mode), row.label, session_.document().mode == row.mode,
+                      {.tooltip = row.help, .disabled = {}}))
       set_mode(session_, row.mode);
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + px(8));
 }
@@ -109,13 +111,12 @@ void MenuBar::draw() {
 namespace {
 struct Mode {
   CompareMode mode;
-  const char *name, *label, *help;
+  const char *label, *help;
 };
 constexpr std::array modes{
-    Mode{CompareMode::side_by_side, "side-by-side", "A | B", "Both pictures side by side."},
-    Mode{CompareMode::split, "split", "Split",
-         "One picture: A on the left of a divider that you drag, B on the right (X)."},
-    Mode{CompareMode::difference, "difference", "Difference", "The difference B - A, multiplied by a gain (D)."}};
+    Mode{CompareMode::side_by_side, "A | B", "Both pictures side by side."},
+    Mode{CompareMode::split, "Split", "One picture: A on the left of a divider that you drag, B on the right (X)."},
+    Mode{CompareMode::difference, "Difference", "The difference B - A, multiplied by a gain (D)."}};
 }  // namespace
 
 float MenuBar::compare_buttons_width() const {
@@ -130,7 +131,7 @@ void MenuBar::compare_buttons(float left) {
   ImGui::SetCursorPosX(left);
   const NameScope scope("compare");
   for (const auto& mode : modes)
-    if (button_on_off(mode.name, mode.label, session_.document().compare == mode.mode,
+    if (button_on_off(compare_key(mode.mode), mode.label, session_.document().compare == mode.mode,
                       {.tooltip = mode.help, .disabled = {}}))
       session_.navigate([&](Document& document) { document.compare = mode.mode; });
 }

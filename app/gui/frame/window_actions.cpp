@@ -2,6 +2,7 @@
 
 #include "base/spelling.h"
 #include "document/command_line.h"
+#include "document/permalink.h"
 #include "gui/frame/file_questions.h"
 #include "gui/frame/show_panel.h"
 
@@ -27,8 +28,9 @@ void add_gestures(Actions& actions) {
 }
 
 void add_mode_actions(Actions& actions, Session& session) {
-  const auto add = [&](const char* name, const char* label, const char* key, ScreenMode mode) {
-    actions.add({.name = name,
+  const auto name = [](ScreenMode mode) { return "mode-" + std::string(mode_key(mode)); };
+  const auto add = [&](ScreenMode mode, const char* label, const char* key) {
+    actions.add({.name = name(mode),
                  .label = label,
                  .group = "Window",
                  .keys = key,
@@ -36,10 +38,10 @@ void add_mode_actions(Actions& actions, Session& session) {
                  .enabled = [&session] { return session.has_scene(); },
                  .checked = [&session, mode] { return session.document().mode == mode; }});
   };
-  add("mode-lesson", "Lesson: the text beside the pictures", "F2", ScreenMode::lesson);
-  add("mode-explore", "Explore: all options and tools", "F3", ScreenMode::explore);
-  add("mode-study", "Study: one long tool beside small pictures", "F4", ScreenMode::study);
-  actions.add({.name = "mode-presenter",
+  add(ScreenMode::lesson, "Lesson: the text beside the pictures", "F2");
+  add(ScreenMode::explore, "Explore: all options and tools", "F3");
+  add(ScreenMode::study, "Study: one long tool beside small pictures", "F4");
+  actions.add({.name = name(ScreenMode::presenter),
                .label = "Presenter: pictures alone, the lesson's text as a caption",
                .group = "Window",
                .keys = "F5",

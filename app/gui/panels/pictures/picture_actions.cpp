@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "document/permalink.h"
 #include "gui/panels/pictures/first_nan.h"
 #include "gui/session/camera_moves.h"
 #include "render/channel_picture.h"
@@ -64,8 +65,8 @@ void next_channel(Session& session, int by) {
 
 void add_view_actions(Actions& actions, Session& session, PicturesState& pictures) {
   const auto not_flying = [&pictures] { return !flying(pictures); };
-  const auto compare = [&](const char* name, const char* label, const char* keys, CompareMode mode) {
-    actions.add({.name = name,
+  const auto compare = [&](CompareMode mode, const char* label, const char* keys) {
+    actions.add({.name = std::string(compare_key(mode)),
                  .label = label,
                  .group = "Compare",
                  .keys = keys,
@@ -74,17 +75,17 @@ void add_view_actions(Actions& actions, Session& session, PicturesState& picture
                  .checked = [&session, mode] { return session.document().compare == mode; }});
   };
   actions.add(
-      {.name = "side-by-side",
+      {.name = std::string(compare_key(CompareMode::side_by_side)),
        .label = "Side by side",
        .group = "Compare",
        .keys = "",
        .run =
            [&session] { session.navigate([](Document& document) { document.compare = CompareMode::side_by_side; }); },
        .checked = [&session] { return session.document().compare == CompareMode::side_by_side; }});
-  compare("split", "Split: drag the divider", "X", CompareMode::split);
-  compare("difference", "Difference B - A", "D", CompareMode::difference);
-  compare("only-a", "Only A", "", CompareMode::only_a);
-  compare("only-b", "Only B", "", CompareMode::only_b);
+  compare(CompareMode::split, "Split: drag the divider", "X");
+  compare(CompareMode::difference, "Difference B - A", "D");
+  compare(CompareMode::only_a, "Only A", "");
+  compare(CompareMode::only_b, "Only B", "");
   actions.add({.name = "flicker",
                .label = "Flicker: A and B change places while held",
                .group = "Compare",
