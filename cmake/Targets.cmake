@@ -64,7 +64,8 @@ endfunction()
 
 # ps_unity(TARGET...): compiles the files of a folder together, sixteen at a time, in a third of the time; the listings of
 # all lessons count as one folder. So names within a folder are unique, or lie in namespaces of their own. A file that
-# Highway compiles once per SIMD target stays alone; so does, by CMake's own rule, a file with flags of its own.
+# Highway compiles once per SIMD target stays alone; so does, by CMake's own rule, a file with flags or definitions
+# of its own.
 function(ps_unity)
   foreach(target ${ARGN})
     if(TARGET ${target})

@@ -2,16 +2,13 @@
 
 namespace ps::stability {
 
-namespace {
-bool has_x87() {
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-  return true;
+// PS_HAS_X87 comes from cmake/BuildFlags.cmake: whether the compiler has the flag.
+FlagBuild x87_build() {
+#if PS_HAS_X87
+  return flag_build("-mfpmath=387");
 #else
-  return false;
+  return flag_build("-mfpmath=387", [] { return false; });
 #endif
 }
-}  // namespace
-
-FlagBuild x87_build() { return flag_build("-mfpmath=387", has_x87); }
 
 }  // namespace ps::stability
