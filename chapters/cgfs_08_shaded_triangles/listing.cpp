@@ -140,7 +140,7 @@ extern const Listing cgfs_08_shaded_triangles;
 const Listing cgfs_08_shaded_triangles{
     .label = "shaded triangles",
     .source = "CGFS ch. 8",
-    .shows = "Triangles on the canvas with an intensity at each vertex, interpolated along the sides and the rows.",
+    .shows = "Triangles on the canvas with an intensity at each vertex, interpolated along the edges and the rows.",
     .order = ListingOrder::object_by_object,
     .reads = {},
     .draws = {.canvas_lines = true, .canvas_triangles = true, .canvas_intensities = true},

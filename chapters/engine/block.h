@@ -37,7 +37,7 @@ std::string read_task(const std::vector<BlockLine>& lines, const std::string& le
 bool has_line(const std::vector<BlockLine>& lines, std::string_view word);
 
 /// Reads a line `metric` or `within`, in whichever order the two come. Gives false for any other word; throws
-/// InputError for what is no metric or no rectangle.
+/// InputError for what is not a metric or not a rectangle.
 bool read_metric_line(const BlockLine& line, Metric& metric);
 
 /// Throws InputError for a rectangle of a metric that is not measured on one.

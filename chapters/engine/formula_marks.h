@@ -20,12 +20,12 @@ struct FormulaMark {
   }
 };
 
-/// Finds $...$ and $$...$$ outside `code`; \$ is no mark. Throws InputError for a mark without its partner in the same
-/// paragraph, and for a control character that hide_formulas() uses. `start` is where the text begins.
+/// Finds $...$ and $$...$$ outside `code`; \$ is not a mark. Throws InputError for a mark without its partner in the
+/// same paragraph, and for a control character that hide_formulas() uses. `start` is where the text begins.
 std::vector<FormulaMark> find_formulas(std::string_view text, const SourcePlace& start);
 
-/// What stands for each byte of a formula while the text around it is read: CommonMark would take backslashes, stars
-/// and brackets in it for its own.
+/// Replaces each byte of a formula while the text around it is read: CommonMark would take backslashes, stars and
+/// brackets in it for its own.
 inline constexpr char hidden_byte = '\x01';
 
 /// The text with hidden_byte for each byte of a formula, line ends too, so that all other bytes keep their places.

@@ -56,7 +56,7 @@ struct LessonPlace {
   bool operator==(const LessonPlace&) const = default;
 };
 /// Reads "NAME" or "NAME/STEP", with STEP from 1. Throws InputError for an unknown lesson (naming the nearest) and for
-/// what is no step's number; whether the lesson has so many steps is not checked.
+/// what is not the number of a step; whether the lesson has that many steps is not checked.
 LessonPlace parse_lesson_place(std::string_view text);
 
 /// Reads the lesson of that name. Throws InputError for an unknown name (naming the nearest) or a faulty file.

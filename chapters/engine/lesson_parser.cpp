@@ -155,11 +155,11 @@ class LessonParser {
   LessonState common_;  // of the block before the first step: where each step starts
   int line_ = 0;
   std::vector<StepLink> step_links_;
-  std::string text_;   // of the step, as it stands in the file
+  std::string text_;   // of the step, as it is in the file
   int text_line_ = 1;  // where that begins
   std::string block_;  // name of the open block; empty outside
   SourcePlace block_place_;
-  std::string notes_;  // of the open block of notes, as they stand in the file
+  std::string notes_;  // of the open block of notes, as they are in the file
   std::vector<BlockLine> lines_;
 };
 

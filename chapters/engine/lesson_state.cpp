@@ -69,7 +69,7 @@ void apply_parts(const std::vector<StatePart>& parts, Document& document) {
       throw InputError(fmt::format("unknown word '{}'", part.key));
 }
 
-/// Adds a part, or changes the one of its key where that stands: those behind it may need it before them (pin.size
+/// Adds a part, or changes the one of its key in its place: those behind it may need it before them (pin.size
 /// needs pin).
 void set_part(std::vector<StatePart>& parts, std::string_view key, std::string_view value) {
   const auto known = std::find_if(parts.begin(), parts.end(), [&](const StatePart& part) { return part.key == key; });

@@ -233,7 +233,7 @@ class MarkdownReader {
   void end_link() {
     linked_ = false;
     if (block_.spans.size() == link_begin_) refuse("a link without words");
-    if (link_.kind == LinkKind::control) {  // what stands between the brackets is a key, not words
+    if (link_.kind == LinkKind::control) {  // what is between the brackets is a key, not words
       block_.spans.resize(link_begin_);
       block_.spans.push_back({std::string(find_option(link_.target)->label), TextStyle::plain, link_});
     }

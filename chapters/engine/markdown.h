@@ -17,7 +17,7 @@ struct StepLink {
 /// The text of a step, read.
 struct StepText {
   std::vector<TextBlock> blocks;
-  std::vector<TextBlock> hints;  ///< what stands behind "> "
+  std::vector<TextBlock> hints;  ///< what follows "> "
   std::vector<StepLink> step_links;
 };
 

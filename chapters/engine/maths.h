@@ -27,7 +27,7 @@ enum class MathsRole {
 enum class MathsAccent { vector, hat, bar };
 
 struct MathsNode;
-/// What stands side by side.
+/// What is written side by side.
 using MathsRow = std::vector<MathsNode>;
 
 /// A letter, a number, the name of a function or any other sign.
@@ -36,7 +36,7 @@ struct MathsSign {
   MathsStyle style = MathsStyle::upright;
   MathsRole role = MathsRole::ordinary;
   bool large = false;   ///< higher in a display formula: sums, products, integrals
-  bool limits = false;  ///< in a display formula, scripts stand above and below it
+  bool limits = false;  ///< in a display formula, scripts are above and below it
 };
 
 struct MathsGroup {

@@ -130,7 +130,7 @@ class FormulaReader {
     return {std::move(scripts)};
   }
 
-  /// What stands behind a command or a script: {...}, or one sign.
+  /// What follows a command or a script: {...}, or one sign.
   MathsRow read_argument(std::string_view of) {
     const Nesting nesting(*this, at_);
     if (of == "^" || of == "_") ++at_;
@@ -362,7 +362,7 @@ class FormulaReader {
     return {std::move(matrix)};
   }
 
-  /// A line behind the last '\\' that holds nothing is no row.
+  /// A line behind the last '\\' that holds nothing is not a row.
   void finish_matrix(MathsMatrix& matrix, std::size_t begin) const {
     if (matrix.rows.size() > 1 && matrix.rows.back().size() == 1 && matrix.rows.back().front().empty())
       matrix.rows.pop_back();

@@ -8,7 +8,7 @@
 
 namespace ps {
 
-/// A command that stands for one sign: \alpha, \cdot, \sin.
+/// A command for one sign: \alpha, \cdot, \sin.
 struct SignCommand {
   std::string_view name;  ///< without the backslash
   MathsSign sign;
@@ -17,7 +17,7 @@ struct SignCommand {
 const SignCommand* find_sign_command(std::string_view name);
 std::span<const SignCommand> sign_commands();
 
-/// The sign for a byte of the notation that stands for itself, such as '+'; none for others.
+/// The sign that a byte of the notation means without a command, such as '+'; none for others.
 std::optional<MathsSign> sign_of_byte(char byte);
 
 /// The command that writes this character, with its backslash; empty if there is none.

@@ -16,7 +16,7 @@
 namespace ps {
 namespace {
 
-/// A word of the notation and what it stands for.
+/// A word of the notation and what it means.
 struct MetricKey {
   std::string_view key;
   MetricKind kind;

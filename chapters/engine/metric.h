@@ -47,7 +47,7 @@ struct Metric {
   bool operator==(const Metric&) const = default;
 };
 
-/// Reads what stands behind `metric`: its name, and what it needs: "counter-a eye-rays", "winner-a red sphere",
+/// Reads what follows `metric`: its name, and what it needs: "counter-a eye-rays", "winner-a red sphere",
 /// "experiment ground-sphere-acne naive 0.001 acne". Throws InputError without a place, naming the metrics there are.
 Metric parse_metric(std::string_view text);
 /// "counter-a eye-rays"

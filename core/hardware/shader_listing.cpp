@@ -18,7 +18,7 @@
 namespace ps::hardware {
 namespace {
 
-/// The triangle that is seen at the middle of the pixel. Those of spheres have numbers here.
+/// The triangle that is seen at the centre of the pixel. Those of spheres have numbers here.
 PixelId triangle_at(const Scene& scene, const View& view, Settings settings, Vec2i pixel, Prepared& prepared,
                     Progress& progress) {
   settings.multisampling = 1;
@@ -51,7 +51,7 @@ std::string pass_words(const DrawPass& pass) {
   case DrawPass::Kind::shade:
     return "shading";
   case DrawPass::Kind::light:
-    return pass.light < 0 ? "without a light" : fmt::format("light {}", pass.light + 1);
+    return pass.light < 0 ? "without a light" : fmt::format("light {}", pass.light);
   }
   return "";
 }

@@ -228,7 +228,7 @@ SweepAxis parse_sweep_axis(std::string_view text) {
     const auto comma = rest.find(',');
     std::string value = canonical(*axis.option, rest.substr(0, comma));
     if (std::find(axis.values.begin(), axis.values.end(), value) != axis.values.end())
-      throw InputError(fmt::format("sweep {}: the value {} stands there twice", key, value));
+      throw InputError(fmt::format("sweep {}: the value {} is given twice", key, value));
     axis.values.push_back(std::move(value));
     if (comma == std::string_view::npos) return axis;
     rest = rest.substr(comma + 1);

@@ -14,7 +14,7 @@ namespace ps {
 namespace canvas_story_test {
 namespace {
 
-/// The two triangles of a square, whose common side runs through the sample of pixel (20, 19).
+/// The two triangles of a square, whose shared edge runs through the sample of pixel (20, 19).
 struct Square {
   Scene scene = load_scene("chapters/cgfs_07_filled_triangles/square.scene");
 

@@ -223,7 +223,7 @@ TEST(Listing, EventsEndInItsColour) {
   }
 }
 
-/// Two lamps on a wall (CGFS ch. 1 and 7): where both shine there is twice the light, in the listing as in the kernel
+/// Two lights on a wall (CGFS ch. 1 and 7): where both shine there is twice the light, in the listing as in the kernel
 /// that knows nothing of it.
 TEST(Listing, LightAddsUp) {
   const Scene scene = load_scene("chapters/cgfs_07_filled_triangles/lamps.scene");

@@ -182,7 +182,7 @@ std::string parting_sentence(const Scene& scene, std::initializer_list<const cha
   return parting.sentence;
 }
 
-// The light stands before the middle of the triangle: its highlight is there, and no vertex has it.
+// The light is before the centre of the triangle: its highlight is there, and no vertex has it.
 TEST(VertexLight, PartingGivesTheNumbersOfBothSides) {
   const Scene scene = one_triangle();
   const std::string gouraud = parting_sentence(scene, {"shading=gouraud"}, {"shading=phong"}, {30, 30});

@@ -1,4 +1,4 @@
-// The ground covers spheres that stand in front of it.
+// The ground covers spheres that are in front of it.
 #include <array>
 #include <limits>
 

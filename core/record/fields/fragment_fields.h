@@ -21,10 +21,10 @@ struct List<FragmentEvent> {
   static constexpr bool multisampled(const E& e) { return e.samples > 1; }
   static constexpr std::array rows{
       subject(field<&E::id>("id")),
-      computed<&E::corners>("corner-0", [](const E& e) { return e.corners[0]; }),
-      computed<&E::corners>("corner-1", [](const E& e) { return e.corners[1]; }),
-      computed<&E::corners>("corner-2", [](const E& e) { return e.corners[2]; }),
-      field<&E::corner_depth>("corner-depth"),
+      labelled("vertex 0", computed<&E::corners>("corner-0", [](const E& e) { return e.corners[0]; })),
+      labelled("vertex 1", computed<&E::corners>("corner-1", [](const E& e) { return e.corners[1]; })),
+      labelled("vertex 2", computed<&E::corners>("corner-2", [](const E& e) { return e.corners[2]; })),
+      labelled("vertex depths", field<&E::corner_depth>("corner-depth")),
       field<&E::edges>("edges"),
       labelled("owns edge", field<&E::tie_owned>("tie-owned")),
       field<&E::weights_2d>("weights-2d"),

@@ -6,8 +6,9 @@
 
 namespace ps {
 
-/// How stories and tables speak of things in a scene. Objects and lights are counted from 1 as people do, each kind by
-/// itself; triangles keep their index in the model's list, which is also the number that the triangle picture shows.
+/// How stories and tables name objects, lights and triangles of a scene. All indices count from 0: an object's among
+/// those of its kind, a light's in Scene::lights and a triangle's in the model's list. The triangle picture shows the
+/// same numbers.
 
 /// "sphere 2 (green)", "cube 1", or the object's own name where the scene file gives one. `object` is an index into
 /// Geometry::objects; one that the scene does not have is named by its number.

@@ -75,7 +75,7 @@ Triangles rings(float bad_value) {
   return triangles;
 }
 
-/// 5,000 small triangles anywhere in a cube of side 2, one of which has a corner here.
+/// 5,000 small triangles anywhere in a cube of side 2, one of which has a vertex here.
 Triangles soup(float bad_value, const StabilityRun& run) {
   Random place(run.seed + 1);
   Triangles triangles(5000);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int point_light = 1, sun = 2;
 
-/// The book's red ball, sunk into its ground to the middle, and the two lights: what is lost is the shadow that begins
+/// The book's red ball, sunk into its ground to its centre, and the two lights: what is lost is the shadow that begins
 /// where the two touch.
 constexpr const char* scene_text = R"(
 viewport_size = 1 x 1

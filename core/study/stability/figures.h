@@ -29,8 +29,8 @@ struct ExperimentFigure {
   std::string axis_title() const;  ///< "lit pixels in their own shadow (%), lower is better"
 };
 
-/// The figures of what is measured so far, the one first that the text speaks of. Series whose knob is no quantity, and
-/// those of a single place, are bars together with the others of their quantity.
+/// The figures of what is measured so far, the one first that the text describes. Series whose knob is not a quantity,
+/// and those of a single place, are bars together with the others of their quantity.
 std::vector<ExperimentFigure> experiment_figures(const StabilityExperiment& experiment,
                                                  std::span<const StabilityRow> rows);
 
@@ -52,7 +52,8 @@ std::string result_text(double value, double scale);
 std::string first_figure_text(const StabilityExperiment& experiment, std::span<const StabilityRow> rows);
 
 /// A table that begins with stability_csv() of the same rows, with what each row means behind its columns: quantity,
-/// quantity_unit, better ("lower", "higher" or "neither"), knob_title, and knob_name where the knob is no quantity.
+/// quantity_unit, better ("lower", "higher" or "neither"), knob_title, and knob_name where the knob is not a
+/// quantity.
 std::string stability_csv_with_meaning(std::string_view csv, const StabilityExperiment& experiment,
                                        std::span<const StabilityRow> rows);
 

@@ -105,9 +105,9 @@ class Search {
  public:
   Search(const Scene& scene, int depth)
       : inputs_(inputs_with(scene, Accelerator::octree, depth, prepared_)), octree_(inputs_, silent_),
-        by_centre_(octree_with(Stands::with_its_centre, *inputs_.geometry,
+        by_centre_(octree_with(InCells::of_its_centre, *inputs_.geometry,
                                *accelerator_as<Octree<double>>(inputs_.accelerator), depth)),
-        on_one_side_(octree_with(Stands::on_one_side, *inputs_.geometry,
+        on_one_side_(octree_with(InCells::of_one_side, *inputs_.geometry,
                                  *accelerator_as<Octree<double>>(inputs_.accelerator), depth)) {}
 
   Wrong of_program(const std::vector<KnownRay>& rays) const {

@@ -167,8 +167,7 @@ extern const StabilityExperiment ground_sphere_acne{
     .explanation =
         "At radius 5000 the squared distance to the centre is rounded to multiples of 2, so hit points lie up to "
         "0.00018 off the sphere. A shadow ray that starts below the surface meets it again, at a larger t the lower "
-        "the "
-        "light stands.",
+        "the light is.",
     .safe = "No epsilon is safe for every radius and light; 0.001 is enough for the book's scene.",
     .window = nowhere_safe,
     .series = ground_sphere_acne_series,

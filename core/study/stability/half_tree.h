@@ -30,7 +30,7 @@ inline void include(Box<float>& box, const Vec3f& point, MinForm form) {
 }
 
 /// The simplest tree of boxes: triangles halved along each axis in turn, down to two a leaf; a box is taken around all
-/// corners below it, one after another.
+/// vertices below it, one after another.
 class HalfTree {
  public:
   HalfTree(const ClosedSphere& mesh, MinForm form) : mesh_(mesh), form_(form), order_(mesh.triangles.size()) {

@@ -7,7 +7,7 @@
 
 namespace ps::stability {
 
-/// A square of cells of two triangles each, whose inner corners are moved at random: every inner edge is shared.
+/// A square of cells of two triangles each, whose inner vertices are moved at random: every inner edge is shared.
 struct FlatMesh {
   std::vector<Vec2d> points;  ///< pixels
   std::vector<std::array<std::uint32_t, 3>> triangles;

@@ -9,21 +9,21 @@ namespace ps::stability {
 
 /// In which cells of an octree a primitive is. The program's is in all that it touches; these are written here, to
 /// be wrong.
-enum class Stands {
-  with_its_centre,  ///< in the cell that holds the centre of its box
-  on_one_side       ///< in all it touches, but a cell does not own its high sides: what lies on a border is in one cell
+enum class InCells {
+  of_its_centre,  ///< in the cell that holds the centre of its box
+  of_one_side     ///< in all it touches, but a cell does not own its high sides: what lies on a border is in one cell
 };
 
 /// An octree with the box of `like` and cells that are cut `depth` times.
-inline Octree<double> octree_with(Stands stands, const TracedGeometry<double>& geometry, const Octree<double>& like,
+inline Octree<double> octree_with(InCells cells, const TracedGeometry<double>& geometry, const Octree<double>& like,
                                   int depth) {
   const Box<double>& whole = like.nodes[0].box;
   const auto overlaps = [&](std::uint32_t index, const Box<double>& cell) {
     const Box<double> box = primitive_box(geometry, geometry.primitives[index]);
     const Vec3d centre = middle_of(box);
     for (int axis = 0; axis < 3; ++axis) {
-      const double low = stands == Stands::with_its_centre ? centre[axis] : box.low[axis];
-      const double high = stands == Stands::with_its_centre ? centre[axis] : box.high[axis];
+      const double low = cells == InCells::of_its_centre ? centre[axis] : box.low[axis];
+      const double high = cells == InCells::of_its_centre ? centre[axis] : box.high[axis];
       const bool last = cell.high[axis] == whole.high[axis];  // nothing begins there
       if (low > cell.high[axis] || (low == cell.high[axis] && !last) || high < cell.low[axis]) return false;
     }

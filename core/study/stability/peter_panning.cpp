@@ -11,7 +11,7 @@ namespace {
 using raster::ShadowComparison;
 using raster::ShadowMap;
 
-/// Balls at places of a floor, anywhere within 0.5 of its middle, each with its map: what is lost of a shadow depends
+/// Balls at places of a floor, anywhere within 0.5 of its centre, each with its map: what is lost of a shadow depends
 /// on where the ball falls between texels.
 class Places {
  public:

@@ -16,7 +16,7 @@ std::string_view better_text(Better better);
 /// "lower", "higher", "neither": in files.
 std::string_view better_key(Better better);
 
-/// What a value of a knob means where it is no quantity: 32 is float.
+/// What a value of a knob means where it is not a quantity: 32 is float.
 struct KnobCase {
   double knob = 0;
   std::string_view name;
@@ -37,7 +37,7 @@ struct StabilitySeries {
   std::string_view unit;   ///< "%"
   Better better = Better::lower;
   std::string_view knob{};            ///< if it is another than the experiment's: title and unit
-  std::span<const KnobCase> cases{};  ///< all values of the knob, if they are no quantities
+  std::span<const KnobCase> cases{};  ///< all values of the knob, if they are not quantities
   Between between = Between::values;
   std::string_view naive{}, robust{};  ///< the two methods, if they are others than the experiment's
 };

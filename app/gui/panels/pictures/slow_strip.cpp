@@ -18,7 +18,7 @@ namespace ps::gui {
 namespace {
 
 constexpr const char* order_words =
-    "In the order of the clear path on one thread. A and B stand at the same share of their work, "
+    "In the order of the clear path on one thread. A and B are at the same share of their work, "
     "and where they count the same, at the same number.";
 constexpr const char* order_note = "clear path, one thread";
 constexpr double knob = 7, least_scrubber = 120, good_scrubber = 200;
@@ -109,7 +109,7 @@ StripForm strip_form(const Session& session, float width) {
   return StripForm::one_unit;
 }
 
-/// Before a class: where each picture stands, in place of the small print below it.
+/// Before a class: how far each picture has come, in place of the small print below it.
 void places_in_words(Session& session) {
   auto& list = *ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();

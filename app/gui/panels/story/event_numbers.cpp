@@ -74,7 +74,7 @@ std::size_t columns_of(const std::vector<EventField>& fields) {
   return most;
 }
 
-/// The number of a light as a field counts it, from 0; the rows of the story count from 1 and say so in their title.
+/// Is it the number of a light? The title of its row in the story has the same number, so it is not shown again.
 bool counts_a_light(const EventField& field) {
   return field.key == "light" && std::holds_alternative<std::int64_t>(field.value);
 }

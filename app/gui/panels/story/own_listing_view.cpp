@@ -12,7 +12,7 @@
 namespace ps::gui {
 namespace {
 
-/// A shows the listing's own picture, so that B stands beside what it should be.
+/// A shows the listing's own picture, so that B is beside what it should be.
 void compare_with_listing(Session& session, const NamedListing& listing) {
   session.edit("compare with your listing", [&](Document& document) {
     document.a.settings = settings_of_listing(listing, document.a.settings);
@@ -171,7 +171,7 @@ void own_listing_buttons(Session& session, OwnListingState& state, const NamedLi
   if (button("copy", label, routine.empty() ? Emphasis::plain : Emphasis::primary,
              {.tooltip =
                   "Makes a file of your own from this listing. Each time that you save it, it is compiled and run "
-                  "with your rights, and its picture stands as B.",
+                  "with your rights, and its picture is shown as B.",
               .disabled = listing ? "" : "There is no listing to copy, or it would answer the question."})) {
     try {
       state.problem.clear();
