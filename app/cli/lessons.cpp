@@ -91,7 +91,7 @@ struct Tally {
   std::size_t claims = 0, questions = 0, bugs = 0, failures = 0;
 };
 
-/// Everything, or only what shows that a lesson still stands: steps, links and claims as they are.
+/// Everything, or only what shows that a lesson still holds: steps, links and claims as they are.
 enum class CheckExtent { all, quick };
 
 /// Whether a claim holds, not whether its mutation breaks it, and prints its row.

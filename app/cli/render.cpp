@@ -106,7 +106,7 @@ void save_picture(const RenderArguments& arguments, const Document& document, co
     save_image(arguments.output, channel_picture(frame, show, settings).levels, options);
 }
 
-/// The picture as far as slow motion goes; says where it stands.
+/// The picture as far as slow motion goes; says how far that is.
 Frame render_document(const Document& document, const View& view, const RenderRequest& request, Prepared& prepared) {
   const SideState& side = document.a;
   if (!side.slow_motion)

@@ -7,7 +7,7 @@
 
 namespace ps {
 
-/// The middle and the quarters of repeated measurements, in the unit of the samples.
+/// The median and the quartiles of repeated measurements, in the unit of the samples.
 struct Quartiles {
   double q1 = 0, median = 0, q3 = 0;
 };

@@ -44,7 +44,7 @@ struct PictureView {
   std::optional<Camera> camera;  ///< instead of the scene's own
   int width = 0, height = 0;     ///< pixels; 0 = the scene's canvas size
   double zoom = 0;               ///< screen pixels for one picture pixel; 0 = the whole picture fits
-  Vec2d middle{0.5, 0.5};  ///< the place of the picture in the middle of its view; (0, 0) top left, (1, 1) its end
+  Vec2d middle{0.5, 0.5};  ///< the place of the picture at the centre of its view; (0, 0) top left, (1, 1) its end
   std::optional<TileRect> region;  ///< only these pixels are rendered (CGPP 15.4.4); empty = all
   bool operator==(const PictureView&) const = default;
 };

@@ -11,7 +11,7 @@
 
 namespace ps {
 
-/// What slow motion counts: a picture can be shown as it is after so many of them. The order is that of the clear path
+/// What slow motion counts: a picture can be shown as it is after n of them. The order is that of the clear path
 /// on one thread.
 enum class SlowUnit { triangles, fragments, pixels, rows, tiles, samples, writes };
 
@@ -29,7 +29,7 @@ struct SlowUnitRow {
   std::string_view one;    ///< in a sentence: "triangle"
   std::string_view many;   ///< "triangles"
   std::string_view label;  ///< for people: "Triangles"
-  std::string_view help;   ///< one sentence: what is shown after so many, and in which order they come
+  std::string_view help;   ///< one sentence: what is shown after n of them, and in which order they come
 };
 
 /// All units, in the order of the enum.
@@ -40,7 +40,7 @@ const SlowUnitRow& slow_unit(SlowUnit unit);
 std::string slow_motion_text(const SlowMotion& motion);
 SlowMotion parse_slow_motion(std::string_view text);
 
-/// Where slow motion stands: how many there are, and what the last one was. What does not belong to it is absent.
+/// How far slow motion has come: how many there are, and what the last one was. What does not belong to it is absent.
 struct SlowState {
   SlowMotion done;                            ///< at most `total` of them
   std::uint64_t total = 0;                    ///< that the whole picture takes
@@ -51,7 +51,7 @@ struct SlowState {
   std::string_view stage;                     ///< the walk over the triangles that it belongs to, if there are several
 };
 
-/// A picture that is not finished, and where it stands.
+/// A picture that is not finished, and how far it has come.
 struct SlowFrame {
   Frame frame;
   SlowState state;

@@ -5,7 +5,7 @@
 
 namespace ps::hardware {
 
-// The same formula stands in texturing.glsl. Level 1 takes half of the shared height, level 2 a quarter, and so on;
+// The same formula is in texturing.glsl. Level 1 takes half of the shared height, level 2 a quarter, and so on;
 // what is wider than high has further levels of one row each, which follow.
 Vec2i LevelAtlas::place(int level) const {
   if (level == 0) return {0, 0};

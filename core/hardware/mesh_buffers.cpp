@@ -62,7 +62,7 @@ TangentFrame<double> frame_of(const Mesh& mesh, const MeshTriangle& triangle) {
   return triangle_frame(positions, uvs).value_or(TangentFrame<double>{});
 }
 
-/// The values of one corner.
+/// The values of one vertex of a triangle.
 class CornerValues {
  public:
   CornerValues(const Mesh& mesh, const Vec3d& centre) : mesh_(mesh), centre_(centre) {}

@@ -12,7 +12,7 @@
 
 namespace ps::hardware {
 
-/// What each corner of a mesh carries; the numbers are the locations in vertex.glsl.
+/// What each vertex of a triangle carries; the numbers are the locations in vertex.glsl.
 enum class Stream : unsigned {
   positions = 0,
   normals = 1,
@@ -34,8 +34,8 @@ struct SlotRun {
   std::size_t first = 0, count = 0;
 };
 
-/// A mesh in the memory of the graphics driver: three corners for each triangle, each with its own values, so that the
-/// number of a corner gives its triangle. A stream is uploaded when it is first asked for.
+/// A mesh in the memory of the graphics driver: three vertices for each triangle, each with its own values, so that the
+/// number of a vertex gives its triangle. A stream is uploaded when it is first asked for.
 class MeshBuffers {
  public:
   explicit MeshBuffers(const Mesh& mesh);

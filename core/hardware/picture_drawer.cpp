@@ -140,7 +140,7 @@ void PictureDrawer::make_runs() {
   }
 }
 
-// The painter's algorithm: by the mean depth of the corners, as the rasterizer sorts them.
+// The painter's algorithm: by the mean depth of the vertices, as the rasterizer sorts them.
 void PictureDrawer::make_sorted_runs() {
   struct Sorted {
     float depth = 0;

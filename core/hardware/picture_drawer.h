@@ -90,7 +90,7 @@ class PictureDrawer {
   std::vector<Program*> programs_;               ///< of each surface
   std::vector<std::vector<Vec3f>> places_;       ///< of each object's vertices, as the processor rounded them
   std::vector<unsigned> snapped_;                ///< buffers of positions that the processor rounded, of each object
-  unsigned sorted_ = 0;                          ///< indices of the corners, where triangles are sorted
+  unsigned sorted_ = 0;                          ///< indices of the vertices, where triangles are sorted
   std::vector<std::uint32_t> sorted_triangles_;  ///< numbers of the triangles in their meshes, where they are sorted
   unsigned surface_table_ = 0;
   std::vector<std::vector<VolumeBuffers>> volumes_;  ///< by light

@@ -58,7 +58,7 @@ Vec3d camera_position(const PicturePlan& plan, const Vec3d& world);
 /// Samples of a pixel: the power of two that the rasterizer takes, too.
 int sample_count(const Settings& settings);
 
-/// The middle of the canvas where samples lie at the centres of pixels, as a driver has them: pixels.
+/// The centre of the canvas where samples lie at the centres of pixels, as a driver has them: pixels.
 Vec2d shifted_centre(const PicturePlan& plan);
 
 /// Does the surface look up its surroundings in an environment map? A picture of them in its material comes first.

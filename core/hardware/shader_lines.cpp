@@ -16,7 +16,7 @@ namespace {
 
 /// An #if that is open.
 struct Branch {
-  bool around = true;    ///< what stands around it is compiled
+  bool around = true;    ///< what is around it is compiled
   bool taken = false;    ///< one of its parts was
   bool compiled = true;  ///< this part is
 };

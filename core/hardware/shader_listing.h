@@ -10,7 +10,7 @@
 
 namespace ps::hardware {
 
-/// For the renderer's row (record/renderer_row.h): the draw calls of the triangle that the middle of a pixel shows,
+/// For the renderer's row (record/renderer_row.h): the draw calls of the triangle that the centre of a pixel shows,
 /// with the programs of a picture without further channels. Throws as render_hardware() does.
 std::shared_ptr<const ShaderListing> list_shaders(const Scene& scene, const View& view, const Settings& settings,
                                                   Vec2i pixel, Prepared& prepared, Progress& progress);

@@ -7,7 +7,7 @@
 namespace ps::hardware {
 namespace {
 
-/// Makes corners from the vertices of one volume.
+/// Makes what the driver reads of the vertices of one volume.
 class VolumeVertices {
  public:
   VolumeVertices(const PicturePlan& plan, const raster::DrawObject& object, const raster::ShadowVolume& volume,

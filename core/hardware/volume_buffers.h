@@ -5,7 +5,7 @@
 
 namespace ps::hardware {
 
-/// Corners of shadow volumes in the memory of the graphics driver.
+/// Vertices of shadow volumes in the memory of the graphics driver.
 class VolumeBuffers {
  public:
   explicit VolumeBuffers(const VolumeFaces& faces);
@@ -15,7 +15,7 @@ class VolumeBuffers {
   VolumeBuffers& operator=(const VolumeBuffers&) = delete;
 
   std::size_t object() const { return object_; }
-  /// Number of corners that face outwards; the others follow.
+  /// Number of vertices of faces that face outwards; those of the others follow.
   int outwards() const { return outwards_; }
   int inwards() const { return inwards_; }
   /// Of the triangles in the volume's surface, in the order in which they are drawn.

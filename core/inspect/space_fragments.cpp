@@ -114,8 +114,8 @@ class FragmentParts {
     if (light.kind == LightKind::point) {  // lit where it says: with Gouraud shading that is a vertex
       const auto& lights = *inputs_.scene.lights;
       if (light.light < 0 || static_cast<std::size_t>(light.light) >= lights.size()) return;  // the story is older
-      const Vec3d& lamp = lights[static_cast<std::size_t>(light.light)].position;
-      item.points = {lamp - light.to_light, lamp};
+      const Vec3d& position = lights[static_cast<std::size_t>(light.light)].position;
+      item.points = {position - light.to_light, position};
     } else {
       const int parent = events_[static_cast<std::size_t>(index)].parent;
       const auto* lit_at =

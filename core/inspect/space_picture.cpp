@@ -11,12 +11,12 @@ namespace {
 
 /// What a scene without lights is seen by from outside, so that balls are round: a light beside the viewer.
 std::vector<Light> own_lights(const Camera& camera) {
-  Light everywhere, lamp;
-  everywhere.intensity = 0.4;
-  lamp.kind = LightKind::directional;
-  lamp.intensity = 0.6;
-  lamp.direction = camera.up * 0.6 - camera.right * 0.4 - camera.forward;
-  return {everywhere, lamp};
+  Light ambient, directional;
+  ambient.intensity = 0.4;
+  directional.kind = LightKind::directional;
+  directional.intensity = 0.6;
+  directional.direction = camera.up * 0.6 - camera.right * 0.4 - camera.forward;
+  return {ambient, directional};
 }
 
 }  // namespace

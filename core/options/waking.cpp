@@ -69,7 +69,7 @@ int answers(std::string_view reason, const Option& option, OptionNumber value) {
   return score;
 }
 
-/// A listing that shows nothing of the scene helps nobody.
+/// Does the listing show nothing of the scene? Then it is not suggested.
 bool shows_nothing(const Settings& settings, const SceneTraits& traits) {
   return runs_listing(settings.renderer) && listing_of(settings, traits).listing->suits(traits, settings) == 0;
 }

@@ -71,7 +71,7 @@ class PixelWalk {
     return filled() ? triangle(ref).sequence : line(ref).sequence;
   }
 
-  /// A filled triangle is near when its box is. One of which only edges or corners are drawn is near when its area is,
+  /// A filled triangle is near when its box is. One of which only edges or vertices are drawn is near when its area is,
   /// or the box of the edge itself: without clipping, edges behind the camera are drawn upside down, away from it.
   bool is_near(const PrimitiveRef& ref) const {
     if (filled()) return touch(triangle(ref).box, around(pixel_));
@@ -147,8 +147,8 @@ class PixelWalk {
 };
 
 template <class Real>
-PixelStory tell(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel, Prepared& prepared,
-                Progress& progress) {
+PixelStory story_of(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel, Prepared& prepared,
+                    Progress& progress) {
   PixelStory story;
   story.pixel = pixel;
   story.renderer = Renderer::rasterizer;
@@ -177,9 +177,9 @@ PixelStory inspect_rasterized(const Scene& scene, const View& view, const Settin
                               Prepared& prepared, Progress& progress) {
   switch (settings.precision) {
   case Precision::float32:
-    return tell<float>(scene, view, settings, pixel, prepared, progress);
+    return story_of<float>(scene, view, settings, pixel, prepared, progress);
   case Precision::float64:
-    return tell<double>(scene, view, settings, pixel, prepared, progress);
+    return story_of<double>(scene, view, settings, pixel, prepared, progress);
   }
   return {};
 }

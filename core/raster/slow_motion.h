@@ -3,7 +3,7 @@
 
 namespace ps {
 
-/// Slow motion of the rasterizer (record/renderer_row.h): after so many triangles, fragments or tiles. Where the
+/// Slow motion of the rasterizer (record/renderer_row.h): after n triangles, fragments or tiles. Where the
 /// settings ask for several walks over the triangles (raster/setup/draw_stage.h), each walk counts them anew.
 std::optional<std::string_view> rasterized_slow_motion_lacks(SlowUnit unit, const Settings& settings,
                                                              const SceneTraits& traits);

@@ -20,7 +20,7 @@ bool uses_bvh(const Settings& settings) {
   return settings.accelerator == Accelerator::bvh || (settings.accelerator == Accelerator::embree && !embree);
 }
 
-/// What narrows down the primitives that a ray may meet. Each holds those that have an end, NoAccelerator all.
+/// What narrows down the primitives that a ray may meet. Each holds those that are bounded, NoAccelerator all.
 template <class Real>
 using TracedAccelerator =
     std::variant<NoAccelerator, std::shared_ptr<const SingleBox<Real>>, std::shared_ptr<const BoundingSpheres>,

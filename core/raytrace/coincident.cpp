@@ -10,7 +10,7 @@
 namespace ps {
 namespace {
 
-/// What decides where a primitive lies: corners from the lowest to the highest, or a box. -0 is 0.
+/// What decides where a primitive lies: vertices from the lowest to the highest, or a box. -0 is 0.
 template <class Real>
 using PlaceOfPrimitive = std::array<Real, 9>;
 

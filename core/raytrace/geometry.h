@@ -104,7 +104,7 @@ struct TracedGeometry {
   std::vector<TracedSolid> solids;
   std::vector<Box<Real>> solid_boxes;  ///< one for each of `solids`
   std::vector<CsgStep> steps;
-  /// Unbounded primitives, such as planes. They stand outside of every accelerator, since no box around them would
+  /// Unbounded primitives, such as planes. No accelerator holds them, since no box around them would
   /// keep a ray away; all others are in `bounded`, in the same order. Empty `unbounded`: `bounded` is empty too.
   std::vector<std::uint32_t> unbounded, bounded;
   bool one_sided_triangles = false;        ///< some primitives are triangles with front_only
@@ -200,7 +200,7 @@ inline std::uint32_t bounded_primitive(const TracedGeometry<Real>& geometry, std
   return geometry.unbounded.empty() ? i : geometry.bounded[i];
 }
 
-/// The tree over the primitives of traced_geometry() that have an end.
+/// The tree over the bounded primitives of traced_geometry().
 template <class Real>
 std::shared_ptr<const Bvh<Real>> traced_bvh(const Scene& scene, const TracedGeometry<Real>& geometry,
                                             Prepared& prepared);

@@ -23,7 +23,7 @@ Box<Real> range_box(const TracedGeometry<Real>& geometry, const NumberRange& ran
   return {};
 }
 
-/// A corner's box in the model's space, rounded outwards.
+/// Adds a vertex to a box in the model's space, rounded outwards.
 template <class Real>
 void include_rounded(const Vec3d& corner, Box<Real>& box) {
   constexpr Real infinity = std::numeric_limits<Real>::infinity();

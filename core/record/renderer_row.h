@@ -42,10 +42,11 @@ struct RendererRow {
   bool (*shows_objects)(const SceneTraits& traits, const Settings& settings) = nullptr;
   /// Its name as the subject of a sentence: "the ray tracer".
   std::string (*subject)(const SceneTraits& traits, const Settings& settings) = nullptr;
-  /// Why it cannot show the picture after so many of a unit, or nothing: it can. nullptr: of no unit.
+  /// Why it cannot show the picture after n of these units; nullopt if it can. nullptr: it can for no unit.
   std::optional<std::string_view> (*slow_motion_lacks)(SlowUnit unit, const Settings& settings,
                                                        const SceneTraits& traits) = nullptr;
-  /// The picture after so many of a unit that it does not lack. Of `request` only channels, region and priority count.
+  /// The picture after `motion.at` units. Of `request` only channels, region and priority count. Not called for a unit
+  /// that it lacks.
   SlowFrame (*slow_motion)(const Scene& scene, const View& view, const Settings& settings, const SlowMotion& motion,
                            const RenderRequest& request, Prepared& prepared, Progress& progress) = nullptr;
   /// What it has after each of its stages, or nullptr: it does not give that. Throws as render() does.

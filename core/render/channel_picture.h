@@ -83,7 +83,7 @@ struct ShownChannelRow {
   std::string_view unit;  ///< of the value shown as a heat map; may be empty
   /// The value at a pixel as short text.
   std::string (*text)(const Frame& frame, const Settings& settings, Vec2i pixel) = nullptr;
-  HeatMap heat{};  ///< without `value`: the channel is no heat map
+  HeatMap heat{};  ///< without `value`: the channel is not a heat map
   /// Its colours with their legend, without title and unit; nullptr: as a heat map.
   ChannelPicture (*picture)(const Frame& frame, const Settings& settings) = nullptr;
   /// Its numbers; nullptr: those of the heat map, NaN where there is none.

@@ -41,8 +41,8 @@ class GapFinder {
         inputs_(make_trace_inputs<double>(scene, view, as_rays(settings), prepared)) {}
 
   float gap_at(int column, int row) const {
-    Silent nobody;
-    const Intersector<double, Silent> intersector(inputs_, nobody);
+    Silent silent;
+    const Intersector<double, Silent> intersector(inputs_, silent);
     Ray<double> ray = eye_ray(inputs_, column, row, inputs_.viewport.sample);
     const std::optional<Hit<double>> first = next(intersector, ray);
     if (!first) return no_second_surface;

@@ -8,7 +8,7 @@
 
 namespace ps {
 
-/// Why the renderer that the settings name cannot show the picture after so many of a unit, or nothing: it can.
+/// Why the renderer that the settings name cannot show the picture after n of these units; nullopt if it can.
 std::optional<std::string_view> slow_motion_lacks(SlowUnit unit, const Settings& settings, const SceneTraits& traits);
 
 /// The first unit that it does not lack, or nothing: it shows whole pictures alone.
@@ -19,13 +19,13 @@ std::optional<SlowUnit> first_slow_unit(const Settings& settings, const SceneTra
 std::optional<SlowMotion> given_slow_motion(const std::optional<SlowMotion>& asked, const Settings& settings,
                                             const SceneTraits& traits, ShownChannel shown);
 
-/// The picture after so many of a unit, as the renderer's clear path on one thread has it then, in any other order of
+/// The picture after `motion.at` units, as the renderer's clear path on one thread has it then, in any other order of
 /// its threads. Of `request`, channels, region and priority count. Throws InputError for a unit that the renderer lacks
 /// and for channels that compare two whole pictures, and as render() does.
 SlowFrame render_slowly(const Scene& scene, const View& view, const Settings& settings, const SlowMotion& motion,
                         const RenderRequest& request, Prepared& prepared, Progress& progress);
 
-/// Where it stands, in words: "triangle 17 of 1,284: triangle 5 of teapot".
+/// How far it has come, in words: "triangle 17 of 1,284: triangle 5 of teapot".
 std::string slow_motion_words(const SlowState& state, const Scene& scene, Vec2i size);
 
 }  // namespace ps

@@ -38,7 +38,7 @@ struct Instance {
 struct Object {
   std::string name;
   std::variant<Sphere, Instance, Solid, Csg> shape;
-  bool dynamic = false;  ///< may move while others stand still; environment maps can leave it out (CGFS ch. 15)
+  bool dynamic = false;  ///< may move while others do not; environment maps can leave it out (CGFS ch. 15)
   bool operator==(const Object&) const = default;
 };
 

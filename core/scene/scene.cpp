@@ -10,7 +10,7 @@
 namespace ps {
 namespace {
 
-/// Less is not seen: it only keeps a surface from throwing a shadow.
+/// A smaller transparency is not seen: it only keeps a surface from casting a shadow.
 constexpr double least_transparency = 1.0 / 1024;
 
 void note_material(const Material& material, SceneTraits& traits) {

@@ -39,7 +39,7 @@ struct Brick {
 
 /// With a flat cap at both ends.
 struct Cylinder {
-  Vec3d from{0, 0, 0}, to{0, 1, 0};  ///< middles of the caps
+  Vec3d from{0, 0, 0}, to{0, 1, 0};  ///< centres of the caps
   double radius = 1;
   bool operator==(const Cylinder&) const = default;
 };

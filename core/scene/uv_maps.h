@@ -9,7 +9,7 @@ namespace ps {
 
 /// Texture coordinates of primitives, the same for rays and for tessellation. v = 0 is the top of the picture.
 
-/// A map of the world around a sphere, by the unit direction from its centre: the north pole is +y; the middle of the
+/// A map of the world around a sphere, by the unit direction from its centre: the north pole is +y; the centre of the
 /// map looks to -z, its right half to +x. The seam is at +z.
 template <class Real>
 inline Vec2<Real> world_map_uv(const Vec3<Real>& direction) {

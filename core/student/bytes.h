@@ -25,7 +25,7 @@ class ByteWriter {
     put(static_cast<std::uint32_t>(text.size()));
     bytes_.append(text);
   }
-  /// So many values that lie behind each other, without their number.
+  /// `count` values that lie behind each other, without their number.
   template <class Value>
   void put_all(const Value* first, std::size_t count) {
     static_assert(std::is_trivially_copyable_v<Value>);
@@ -67,7 +67,7 @@ class ByteReader {
     std::memcpy(static_cast<void*>(first), bytes_.data() + at_, count * sizeof(Value));
     at_ += count * sizeof(Value);
   }
-  /// Throws unless so many values of that size are still there; before memory for them is asked for.
+  /// Throws unless `count` values of that size are still there; before memory for them is asked for.
   void require(std::size_t count, std::size_t size) const {
     if (size > 0 && count > left() / size) throw InputError("found the end of the data, expected more of it");
   }

@@ -26,7 +26,7 @@ struct PictureTime {
   double of(double pixels) const { return start + per_pixel * pixels; }
 };
 
-/// A part of the sides, but at least so many pixels that a renderer is busy with them and not with its threads.
+/// A part of the sides, but at least `least` pixels, so that a renderer is busy with them and not with its threads.
 View smaller(const View& view, int part, int least) {
   View small = view;
   small.width = std::max(std::min(view.width, least), view.width / part);

@@ -11,7 +11,7 @@ struct Tradeoff {
 };
 
 /// For each point whether it lies on the Pareto front: no other point is at least as good in both and better in one.
-/// Equal points stand or fall together. A point with a NaN is never on the front. O(n log n).
+/// Of equal points all lie on it or none. A point with a NaN is never on the front. O(n log n).
 std::vector<bool> pareto_front(std::span<const Tradeoff> points);
 
 }  // namespace ps

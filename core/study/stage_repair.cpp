@@ -198,7 +198,7 @@ bool StageRepair::filtering(const Pixel& pixel) {
   if (!seen) return false;
   GivenFragment given;
   add_texels(pixel.at, given);
-  // A stencil is no texture: coverage() has tried it.
+  // A stencil is not a texture: coverage() has tried it.
   const ReplayMaps maps = stages_->in_shadow.empty() ? ReplayMaps::given : ReplayMaps::own;
   return equal(pixel, replay_.shade(*seen, pixel.at, given, maps));
 }

@@ -9,7 +9,7 @@ namespace ps::gui {
 /// What becomes of the file that is asked for.
 enum class FileUse { open, save };
 
-/// The file that was named, and the words that named it: a name that is no file may mean something else.
+/// The file that was named, and the words that named it: a name that is not a file may mean something else.
 struct FileAnswer {
   std::filesystem::path path;  ///< absolute
   std::string typed;

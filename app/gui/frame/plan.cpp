@@ -11,7 +11,7 @@ constexpr float least_text = 400;      // at scale 1; below it one picture takes
 constexpr float narrowest_text = 290;  // at scale 1
 constexpr float least_stage = 4.2f;    // headlines; a lower stage would show no line of its tool
 constexpr double spare = 0.001;        // of the window: what rounding may take of the pictures' share
-constexpr float beside_text = 0.315f, beside_stage = 0.32f;  // of the width, where a tool stands beside one picture
+constexpr float beside_text = 0.315f, beside_stage = 0.32f;  // of the width, where a tool is beside one picture
 constexpr float least_shared = 0.34f;                        // of the width, for text and tool in one place
 
 struct Size {

@@ -166,7 +166,7 @@ void Regions::lesson_text(const Area& area) {
   titled_text(area, lesson->title);
 }
 
-/// Of the open lesson, whose title may stand elsewhere.
+/// Of the open lesson, whose title may be shown elsewhere.
 void Regions::titled_text(const Area& area, const std::string& title) {
   Area text{area.min, {area.max.x + px(text_overlap), area.max.y}};
   text = above_question(text);
@@ -323,7 +323,7 @@ void Regions::explore(const Area& area) {
                                    right_begin, width * 0.5f, width - least_right))
     session_.navigate([&](Document& document) { document.layout.right = 1 - right_begin / width; });
   const float most_bottom = std::max(height - grip - folded, height * 0.3f);
-  const float corner = px(3);  // belongs to the dividers that stand
+  const float corner = px(3);  // belongs to the vertical dividers
   if (divider("split/bottom", SplitterAxis::up_down, {at.x + left_end + grip + corner, at.y + bottom},
               right_begin - left_end - grip - 2 * corner, bottom, height * 0.3f, most_bottom)) {
     const bool shut = bottom >= most_bottom - 1;

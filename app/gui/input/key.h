@@ -20,7 +20,7 @@ enum class Key : std::uint8_t {
   other  ///< one without a name here; nothing can be bound to it
 };
 
-/// The key so many positions after another one in the list.
+/// The key that many `places` after another one in the list.
 constexpr Key key_after(Key first, int places) { return static_cast<Key>(static_cast<int>(first) + places); }
 
 }  // namespace ps::gui

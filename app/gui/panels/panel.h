@@ -28,7 +28,7 @@ enum class PanelHeight { strip, tall };
 /// What a tool looks at: the picked pixel, or all of the pictures, for which it may work long.
 enum class PanelUse { pixel, study };
 
-/// Under which tab a tool stands below the pictures.
+/// The tab below the pictures under which a tool is shown.
 enum class ToolGroup { pixel, pixels, measure, stability };
 
 /// Where a panel has its place.

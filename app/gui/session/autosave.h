@@ -32,7 +32,7 @@ class Autosave {
   std::vector<LeftBehind> take_left_behind();
   /// Removes the file of one that was restored, as soon as this program has saved it as its own.
   void forget(const LeftBehind& session) { restored_ = session.file; }
-  /// Saves `text` unless it is what was saved last. Failing to is no reason to bother anyone.
+  /// Saves `text` unless it is what was saved last. A failure is not reported, and ends all further tries.
   void save(const std::string& text);
   /// Leaves the file when this object goes: the program is ended from outside.
   void keep() { keep_ = true; }

@@ -5,7 +5,7 @@
 
 namespace ps::gui {
 
-/// Where the middle of a model's bounding sphere lies in the world. Frames ask for it again and again, so that of a
+/// Where the centre of a model's bounding sphere lies in the world. Frames ask for it again and again, so that of a
 /// mesh is kept as long as the mesh is there. For the window's thread alone.
 Vec3d centre_of(const Scene& scene, const Instance& instance);
 

@@ -5,7 +5,7 @@
 
 namespace ps::gui {
 
-/// A formula in a text as boxes that stand side by side with the space of a word between them: lines may end there,
+/// A formula in a text as boxes side by side with the space of a word between them: lines may end there,
 /// which is behind relations, and where a part is wider than `width`, behind binary signs.
 std::vector<MathsBox> set_in_text(const Formula& formula, const MathsFont& font, float width);
 

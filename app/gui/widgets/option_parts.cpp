@@ -129,7 +129,7 @@ constexpr double need_gap = 8;  // between the text and its buttons
 struct NeedLayout {
   std::string text, lines;
   bool has_switch = false;
-  bool beside = false;  ///< the buttons stand behind the last line, else below it
+  bool beside = false;  ///< the buttons are behind the last line, else below it
   float last = 0;       ///< width of the last line
   float lines_height = 0, height = 0;
 
@@ -172,7 +172,7 @@ std::optional<Side> need_lines(const Option& option, const Waking& waking, std::
   draw_lines({at.x, at.y + (layout.beside ? inset : 0)}, layout.lines, palette().text_quiet);
   for (const Side side : sides) {
     const NameScope scope(side == Side::a ? "a" : "b");
-    // A button may stand at the end of the last line.
+    // A button may be at the end of the last line.
     const ImVec2 end{at.x + (one_line ? layout.last : width),
                      at.y + layout.lines_height - (layout.beside && !one_line ? line : 0)};
     controls().record(std::string(option.key) + "/needs", at, end, layout.text);

@@ -41,7 +41,7 @@ class PictureTiles {
   int selected_ = 0, columns_ = 1, column_ = 0, number_ = 0;
 };
 
-/// The picture in the middle of a place: shrunk to it, or so many times as large as fits with pixels of one size.
+/// The picture at the centre of a place: shrunk to it, or enlarged by the largest whole factor that fits.
 void draw_tile_picture(ImDrawList& list, const Texture& picture, ImVec2 min, ImVec2 max);
 
 /// Largest size of the pictures on tiles, pixels.

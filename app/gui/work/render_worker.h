@@ -42,7 +42,7 @@ struct RenderResult {
   Frame frame;
   std::chrono::steady_clock::time_point begun;  ///< the full render
   double milliseconds = 0;                      ///< its wall-clock time
-  std::optional<SlowState> slow;                ///< where it stands, if the request asked for a part of the picture
+  std::optional<SlowState> slow;                ///< how far it has come, if the request asked for a part of the picture
 };
 
 struct RenderStatus {

@@ -1,4 +1,4 @@
-// What goes from the corners to the fragments, and what both know of the view. Affine interpolation carries each value
+// What goes from the vertices to the fragments, and what both know of the view. Affine interpolation carries each value
 // times w; the driver divides by w again, and the fragment multiplies by 1 / w.
 #if PERSPECTIVE && AFFINE
 #define CARRIED_SHARE(w) (w)
@@ -31,7 +31,7 @@ vec3 direction_to_eye(vec3 position) {
 CARRIED vec3 carried_position;  // world space
 CARRIED vec3 carried_normal;    // world space
 CARRIED vec2 carried_uv;
-CARRIED vec3 carried_weights;   // of the three corners
+CARRIED vec3 carried_weights;   // of the three vertices
 CARRIED vec2 carried_z;         // camera space; and times w
 CARRIED_FLAT vec3 face_normal;  // world space, length 1
 CARRIED_FLAT int triangle_number;

@@ -27,7 +27,7 @@ vec3 out_of_face(int face, vec3 v) {
   return vec3(-v.x, v.y, -v.z);
 }
 
-// Texels from the top left of a face with so many of them along a side.
+// Texels from the top left of a face of size x size.
 vec2 face_position(vec3 local, int size) {
   float half_size = float(size) / 2.0;
   return vec2(half_size + half_size * local.x / local.z, half_size - half_size * local.y / local.z);

@@ -49,7 +49,7 @@ OUTPUT(7) vec4 fragment_weights;
 #else
 OUTPUT(1) ivec4 fragment_ids;     // object, triangle, bits of z, bits of the level of detail
 OUTPUT(2) vec4 fragment_normal;   // shading normal, and the cosine of the facing
-OUTPUT(3) vec4 fragment_weights;  // of corners 0 and 1, or NO_WEIGHTS without numbers; then u and v
+OUTPUT(3) vec4 fragment_weights;  // of vertices 0 and 1, or NO_WEIGHTS without numbers; then u and v
 #endif
 #endif
 

@@ -1,4 +1,4 @@
-// The near and far limits, fragment by fragment. A driver that clips gives triangles new corners, and a lit face of a
+// The near and far limits, fragment by fragment. A driver that clips gives triangles new vertices, and a lit face of a
 // shadow volume, which ends elsewhere, would no longer lie exactly on its triangle; so pictures with volumes clamp depths
 // in place of clipping, and what lies outside is left out here.
 uniform float near_z;

@@ -1,5 +1,5 @@
-// Places one corner of a triangle on the canvas, and gives the values that are carried across the triangle. Corners are
-// drawn without indices: corner number gl_VertexID % 3 of triangle gl_VertexID / 3.
+// Places one vertex of a triangle on the canvas, and gives the values that are carried across the triangle. Vertices
+// are drawn without indices: vertex number gl_VertexID % 3 of triangle gl_VertexID / 3.
 #include "carried.glsl"
 #include "placing.glsl"
 #if SHADING == GOURAUD || SHADING == FLAT
@@ -12,7 +12,7 @@ layout(location = 2) in vec2 corner_uv;
 layout(location = 3) in vec3 triangle_normal;  // model space
 #if SHADING == FLAT
 layout(location = 4) in vec3 triangle_centre;  // as corner_position
-layout(location = 5) in vec4 normal_0;         // those of the three corners, as corner_normal
+layout(location = 5) in vec4 normal_0;         // those of the three vertices, as corner_normal
 layout(location = 6) in vec4 normal_1;
 layout(location = 7) in vec4 normal_2;
 #endif

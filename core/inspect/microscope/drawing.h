@@ -64,7 +64,7 @@ struct MicroTable {
   std::vector<MicroRow> rows;
 };
 
-/// What the kernel computes for a triangle at the sample point. First what each corner has: edge values with who owns
+/// What the kernel computes for a triangle at the sample point. First what each vertex has: edge values with who owns
 /// ties, weights on the screen and in space. Then depth and texture coordinates by both kinds of weights.
 std::vector<MicroTable> triangle_tables(const MicroTriangle& triangle);
 

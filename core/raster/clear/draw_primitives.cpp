@@ -12,7 +12,7 @@
 namespace ps::raster {
 namespace {
 
-/// Draws triangles into one tile; a class only to share what its steps need.
+/// Draws triangles into one tile; the members are what its steps share.
 template <class Real, class Recorder>
 class TriangleDrawer {
  public:

@@ -138,11 +138,11 @@ class MapMaker {
 
   /// The one map of the room.
   std::shared_ptr<const EnvironmentMap> of_room() {
-    const auto stands = [&](const Object& o) { return !(reflective(scene_, o) > 0); };
-    const auto keep = [&](const Object& o) { return stands(o) && !(fixed_only_ && o.dynamic); };
+    const auto matte = [&](const Object& o) { return !(reflective(scene_, o) > 0); };
+    const auto keep = [&](const Object& o) { return matte(o) && !(fixed_only_ && o.dynamic); };
     const auto& objects = scene_.geometry->objects;
     const auto left_out = static_cast<int>(
-        std::count_if(objects.begin(), objects.end(), [&](const Object& o) { return stands(o) && !keep(o); }));
+        std::count_if(objects.begin(), objects.end(), [&](const Object& o) { return matte(o) && !keep(o); }));
     const Key key = map_key("environment-map/room", scene_, settings_)
                         .add(number_of_shown(scene_, prepared_, keep))
                         .add(static_cast<std::uint64_t>(left_out));

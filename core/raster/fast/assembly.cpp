@@ -25,7 +25,7 @@ LargeTriangle large_triangle(const ScreenTriangle<float>& piece, const CoverageG
   return large;
 }
 
-/// Assembles one part; a class only to share what its steps need.
+/// Assembles one part; the members are what its steps share.
 class PartAssembler {
  public:
   PartAssembler(const Pass<float>& pass, const std::vector<VertexBuffer<float>>& vertices, AssembleBlock kernel,

@@ -7,11 +7,11 @@
 
 namespace ps::raster {
 
-/// The corners of a mesh's triangles alone, a third as long as MeshTriangle: what the fast path reads of every triangle
-/// in every frame.
+/// The vertices of a mesh's triangles alone, a third as long as MeshTriangle: what the fast path reads of every
+/// triangle in every frame.
 struct MeshCorners {
   BlockVector<std::array<std::uint32_t, 3>> positions;  ///< indices into Mesh::positions, triangle after triangle
-  /// Every corner has the vertex normal of its position's number, so that one number finds both.
+  /// Every vertex of a triangle has the normal of its position's number, so that one number finds both.
   bool paired_normals = false;
 
   std::size_t heap_bytes() const { return positions.capacity() * sizeof(positions[0]); }

@@ -40,8 +40,8 @@ class EyeMedia {
   };
 
   void find(const TraceInputs<Real>& inputs, const Ray<Real>& ray) {
-    Silent nobody;
-    const Intersector<Real, Silent> intersector(inputs, nobody);
+    Silent silent;
+    const Intersector<Real, Silent> intersector(inputs, silent);
     const auto note = [&](const Hit<Real>& hit, std::int32_t object) {
       if (!hit.found()) return;
       const Surface<Real> surface = surface_of(ray, hit, inputs);

@@ -12,7 +12,7 @@ namespace ps {
 /// Subsampling (CGFS ch. 5) of one tile: the first hit is searched for at every n-th pixel of every n-th row, and at
 /// the tile's last column and row. Where the two or four searched pixels around another one saw the same object, or all
 /// saw nothing, its ray is tested against what they met alone; shading is done for each pixel. A ray that misses it is
-/// searched for, and so is one between more than two triangles: among so many small ones it mostly meets another. So
+/// searched for, and so is one between more than two triangles: among several small ones it mostly meets another. So
 /// the picture differs from the plain one only where something smaller than the step lies between.
 template <class Real, class Recorder>
 class SubsampledTile {

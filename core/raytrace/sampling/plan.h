@@ -18,7 +18,7 @@ struct SamplingPlan {
   SamplingMode mode = SamplingMode::one;
   SamplePattern pattern = SamplePattern::grid;
   int samples = 1;
-  int taken = 0;  ///< of a pixel's samples only the first so many; 0 = all
+  int taken = 0;  ///< only the first n samples of a pixel; 0 = all
   double threshold = 0;
   int step = 1;  ///< of subsampling, in pixels
   int averaged() const { return taken > 0 ? taken : samples; }

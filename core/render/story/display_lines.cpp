@@ -35,15 +35,15 @@ std::string clamp_text(std::string_view channel, double value) {
 std::vector<LedgerLine> display_lines(const PixelStory& story, const Settings& settings) {
   const int event = story.events.empty() ? -1 : static_cast<int>(story.events.size()) - 1;
   std::vector<LedgerLine> lines;
-  const auto tell = [&](std::string text) { lines.push_back({0, std::move(text), Vec3d{0, 0, 0}, event}); };
-  if (settings.exposure != 1) tell(fmt::format("multiplied by exposure {}", number_text(settings.exposure)));
+  const auto add = [&](std::string text) { lines.push_back({0, std::move(text), Vec3d{0, 0, 0}, event}); };
+  if (settings.exposure != 1) add(fmt::format("multiplied by exposure {}", number_text(settings.exposure)));
   for (int channel = 0; channel < 3; ++channel) {
     const double value = story.linear[channel] * settings.exposure;
-    if (!(value >= 0 && value <= 1)) tell(clamp_text(channel_names.at(static_cast<std::size_t>(channel)), value));
+    if (!(value >= 0 && value <= 1)) add(clamp_text(channel_names.at(static_cast<std::size_t>(channel)), value));
   }
-  if (settings.gamma != 1) tell(fmt::format("to the power 1 / {} (gamma)", number_text(settings.gamma)));
-  tell(fmt::format("stored as {}, {}, {} of 255 ({})", story.display[0], story.display[1], story.display[2],
-                   depth_text(settings.colour_depth)));
+  if (settings.gamma != 1) add(fmt::format("to the power 1 / {} (gamma)", number_text(settings.gamma)));
+  add(fmt::format("stored as {}, {}, {} of 255 ({})", story.display[0], story.display[1], story.display[2],
+                  depth_text(settings.colour_depth)));
   return lines;
 }
 

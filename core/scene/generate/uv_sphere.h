@@ -10,7 +10,7 @@ struct UvSphereOptions {
 
 /// A sphere of radius 1 cut along meridians and parallels, poles at y = 1 and -1: 2 * slices * (stacks - 1) triangles.
 /// Vertex normals are the positions. u runs once around with increasing angle from +x towards -z, v from 0 at y = 1 to
-/// 1 at y = -1; at a pole u is that of the middle of its triangle. The front sides face outwards.
+/// 1 at y = -1; at a pole u is the mean of its triangle's other two. The front sides face outwards.
 Mesh make_uv_sphere(const UvSphereOptions& options = {});
 
 }  // namespace ps

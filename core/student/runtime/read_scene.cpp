@@ -91,7 +91,7 @@ CanvasItem get_canvas_item(ByteReader& from) {
   return triangle;
 }
 
-/// So many of what `get` reads.
+/// A list: its length, then its elements, which `get` reads.
 template <class Get>
 auto get_several(ByteReader& from, Get get) {
   std::vector<decltype(get(from))> all;

@@ -83,7 +83,7 @@ OwnBlocks own_blocks(const Session& session, const LessonShelf& shelf, const Les
   }
   if (!shelf.holds_back)
     for (const Claim& claim : shelf.claims.claims()) own.claims.push_back(block_of(BlockKind::paragraph, claim.text));
-  if (session.document().mode == ScreenMode::explore) return own;  // they stand below in the options panel
+  if (session.document().mode == ScreenMode::explore) return own;  // they are below in the options panel
   for (const Option* option : step_options(step)) {
     TextBlock& block = own.options.emplace_back(block_of(BlockKind::paragraph, std::string(option->label) + " "));
     block.spans.push_back({{}, TextStyle::plain, {LinkKind::control, std::string(option->key), 0, {}}});
@@ -91,7 +91,7 @@ OwnBlocks own_blocks(const Session& session, const LessonShelf& shelf, const Les
   return own;
 }
 
-/// What stands in the column from top to bottom.
+/// What the column shows from top to bottom.
 std::vector<TextLine> column_of(const Session& session, LessonShelf& shelf, const Lesson& lesson, int index,
                                 OwnBlocks& own) {
   const LessonStep& step = lesson.steps[static_cast<std::size_t>(index)];

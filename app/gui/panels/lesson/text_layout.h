@@ -12,7 +12,7 @@
 
 namespace ps::gui {
 
-/// What stands at one place of a line: a word or a part of one in one face, a formula or a part of one, or a live
+/// What is at one place of a line: a word or a part of one in one face, a formula or a part of one, or a live
 /// control of one side.
 struct TextPiece {
   float x = 0, width = 0;  ///< from the left end of the line, window pixels
@@ -44,7 +44,7 @@ struct TextLine {
   bool asks_again = false;           ///< in place of pieces: the button that opens the step's question again
 };
 
-/// Adds the lines of a block in lines of at most this width, which end between words. `mark` stands in front of the
+/// Adds the lines of a block in lines of at most this width, which end between words. `mark` is written before the
 /// first; the others are indented as it is. The block must outlive the lines.
 void lay_out(const TextBlock& block, std::string_view mark, Face face, float width, std::vector<TextLine>& lines);
 

@@ -154,7 +154,7 @@ void draw_group(Session& session, OptionsPanelState& state, const GroupRows& gro
   const bool filtered = !state.search.empty() || state.only_differences;
   auto& open = state.open.try_emplace(group.name, open_at_first(group.name)).first->second;
   auto& resting_open = state.open.try_emplace(group.name + "/resting", false).first->second;
-  // A filter shows what it finds; how the groups stand without it is not lost.
+  // A filter shows what it finds; which groups are open without it is not lost.
   bool filtered_open = true, resting_filtered = true;
   bool& shown_open = filtered ? filtered_open : open;
   bool& shown_resting = filtered ? resting_filtered : resting_open;

@@ -30,7 +30,7 @@ struct OptionsPanelState {
 
 /// The option table with the values of A and of B side by side, in groups, with search. It follows the picked picture:
 /// its values are fields, it is what "Copy" copies and what Enter in the palette sets first. Rows that act in neither
-/// picture stand at the end of their group, folded.
+/// picture are at the end of their group, folded.
 void options_panel(Session& session, OptionsPanelState& state, const PickedParts& picked);
 
 /// Brings an option's row into sight and highlights it.

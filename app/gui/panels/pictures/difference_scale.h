@@ -13,7 +13,7 @@ std::string difference_value_text(double value, DifferenceMode mode);
 /// What the map says in words: the 99.9th percentile, the largest value and where, the share of pixels that differ.
 std::string difference_numbers_text(const DifferenceNumbers& numbers, DifferenceMode mode);
 
-/// Where the map of a difference and its scale stand in a place: the scale beside the picture or below it, whichever
+/// Where the map of a difference and its scale are in a place: the scale beside the picture or below it, whichever
 /// leaves the picture larger, and never over it. Where it would cost the picture too much there is none.
 struct DifferencePlaces {
   Area picture;

@@ -38,7 +38,7 @@ bool waits(Session& session) {
   });
 }
 
-/// The leading side stands at `at`.
+/// The leading side goes to `at`, the other to the same share of its work.
 void go_to(Session& session, std::uint64_t at) {
   const Side lead = slow_lead(session);
   const auto state = slow_state(session, lead);
@@ -63,8 +63,8 @@ void follow_settings(Session& session, Side side) {
   set_asked(session, side, unit ? std::optional(SlowMotion{*unit, all_slow_units}) : std::nullopt);
 }
 
-/// A number above what there is becomes the last one; one that was chosen before the number was known, where the other
-/// side stands.
+/// A number above what there is becomes the last one. One that was chosen before the number was known becomes the share
+/// of the work that the other side has done.
 void clamp_number(Session& session, Side side) {
   const auto state = slow_state(session, side);
   if (!state || asked(session, side)->at <= state->total) return;

@@ -26,7 +26,7 @@ bool slow_motion_open(const Session& session);
 /// Opens it with both pictures whole, or shows the finished pictures again.
 void toggle_slow_motion(Session& session, SlowMotionState& state);
 
-/// Where a side stands, as its newest picture says; nothing while none has come, or where the side shows all.
+/// How far a side has come, as its newest picture says; nothing while none has come, or where the side shows all.
 std::optional<SlowState> slow_state(Session& session, Side side);
 /// The same in words: "triangle 17 of 1,284: triangle 5 of teapot"; empty where there is none.
 std::string slow_words(Session& session, Side side);
@@ -37,7 +37,7 @@ double slow_share(Session& session);
 
 /// Both sides go to the same share of their work; where they count the same, to the same number.
 void go_to_share(Session& session, double share);
-/// The leading side goes on by so many of its units, the other with it.
+/// The leading side goes on by `by` of its units, the other with it.
 void step_slow_motion(Session& session, SlowMotionState& state, std::int64_t by);
 void play_slow_motion(Session& session, SlowMotionState& state);
 

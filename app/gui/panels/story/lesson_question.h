@@ -29,7 +29,7 @@ class LessonQuestions {
   const LessonQuestion* question() const { return question_ ? &*question_ : nullptr; }
   /// Whether it is still to be answered.
   bool open() const { return question_ && !verdict(); }
-  /// Whether it is, and stands beside the lesson's text; the presenter's window has no place for it.
+  /// Whether it is, and is shown beside the lesson's text; the presenter's window has no place for it.
   bool asked_beside_text(const Session& session) const;
   /// The verdict on this step's answer; nullptr before it was given.
   const Judgement* verdict() const;

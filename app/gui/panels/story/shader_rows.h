@@ -14,7 +14,7 @@ enum class ShaderLinesShown {
 };
 
 /// The lines of a shader file as rows of code. A compiler's message ("a shader does not compile: lighting.glsl:15(3):
-/// error: ...") stands beside its line without its place, if it is about this file.
+/// error: ...") is shown beside its line without its place, if it is about this file.
 std::vector<ListingRow> shader_rows(const ShaderFile& file, ShaderLinesShown shown, std::string_view message);
 
 /// Which of the files the message is about; -1 for none.

@@ -23,7 +23,7 @@ struct VertexFilm {
   std::optional<Subject> made_for;
 };
 
-/// Begins to play, from the model if it stands at its end.
+/// Begins to play, from the model if it is at its end.
 void play_film(VertexFilm& film);
 
 /// The model as it moves from space to space, with the vertex marked; a button that plays it, and its time to be set.

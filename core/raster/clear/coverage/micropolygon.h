@@ -23,7 +23,7 @@ inline std::array<Micropolygon, 4> cut_in_four(const Micropolygon& t) {
   return {{{{p[0], m2, m1}}, {{m2, p[1], m0}}, {{m1, m0, p[2]}}, {{m0, m1, m2}}}};
 }
 
-/// Cuts a triangle up; a class only to share what does not change on the way down.
+/// Cuts a triangle into micropolygons; the members are what all levels of the recursion share.
 class Micropolygons {
  public:
   explicit Micropolygons(const CoverageInput& input)
