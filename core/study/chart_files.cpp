@@ -22,7 +22,8 @@ using Json = nlohmann::ordered_json;
 
 std::string_view renderer_key(const Settings& settings) { return choice_key<&Settings::renderer>(settings.renderer); }
 
-/// The shortest text that reads back exactly.
+/// The shortest text that reads back exactly. Unlike exact_number_text(), which people read, it has "nan" and "inf", as
+/// programs that read tables expect.
 std::string shortest_text(double value) { return fmt::format("{}", value); }
 
 Json point_json(const ChartPoint& point) {

@@ -33,9 +33,10 @@ forbid 'OpenGL by name outside app/gui/platform' '\b(gl[A-Z]\w*\(|GL_[A-Z]|GL(u?
   '^app/gui/platform/'
 forbid 'X11 or Wayland' "$(includes '(X11|xcb|wayland)[/-]')" "$all"
 forbid 'stb outside core/image' "$(includes '(.*/)?stb_')" "$all" '^core/image/'
-forbid 'A thread started outside core/base' 'std::(jthread|async|thread(?!::))\b|pthread_create' "$library" '^core/base/'
-forbid 'A thread of the window started outside app/gui/work and the wait for signals' 'std::(jthread|async|thread(?!::))\b|pthread_create' \
-  '^app/' '^app/gui/(work/|platform/end_signals\.cpp$)'
+thread='std::(jthread|async|thread(?!::))\b|pthread_create'
+forbid 'A thread started outside core/base' "$thread" "$library" '^core/base/'
+forbid 'A thread of the window started outside app/gui/work and the wait for signals' "$thread" '^app/' \
+  '^app/gui/(work/|platform/end_signals\.cpp$)'
 forbid 'A tree for the space view built on the thread of the window' '\badd_tree\(' '^app/' '^app/gui/work/'
 # The C library's results depend on the processor and on its version; math/portable.h and math/power.h replace them.
 forbid 'Functions of the C library whose last bits differ, in what makes pictures' \

