@@ -126,7 +126,7 @@ Image<std::uint32_t> lights_in_shadow(const Scene& scene, const View& view, cons
     if ((*scene.lights)[light].kind == LightKind::ambient) continue;
     Settings alone = settings;
     alone.multisampling = 1;
-    alone.light_shown = static_cast<int>(light) + 1;
+    alone.light_shown = static_cast<int>(light);
     const Frame dark = render_hardware(scene, view, alone, {}, prepared, progress);
     alone.shadows = Shadows::none;
     const Frame bright = render_hardware(scene, view, alone, {}, prepared, progress);

@@ -57,6 +57,8 @@ enum class TransparencyShare { fixed, fresnel };
 
 /// From this on Settings::far limits nothing.
 inline constexpr double no_far_limit = 1e30;
+/// In place of a light's index: no light is dark.
+inline constexpr int all_lights = -1;
 
 /// Every technique that can be chosen, as a plain value. Each member has one row in the option table
 /// (options/option.h), which holds its key, label, range and help; the defaults are here and nowhere else.
@@ -90,7 +92,7 @@ struct Settings {
   bool early_depth = false;
   bool deferred_shading = false;
   LightPasses light_passes = LightPasses::one;
-  int light_shown = 0;  ///< 0 = all, else the number of the only light that shines, from 1
+  int light_shown = all_lights;  ///< the index of the only light that shines, or all_lights
   int multisampling = 1;
 
   Coverage coverage = Coverage::edge_function;

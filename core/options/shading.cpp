@@ -1,3 +1,7 @@
+#include <array>
+#include <string>
+#include <utility>
+
 #include "options/rows.h"
 
 namespace ps::rows {
@@ -45,7 +49,7 @@ Reason needs_surfaces(const Settings&, const SceneTraits& t) {
 
 Reason needs_several_lights(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_filled_fragments(s)) return reason;
-  if (!t.several_lights) return "the scene has fewer than two lights";
+  if (t.light_count < 2) return "the scene has fewer than two lights";
   if (!s.lighting) return "needs lighting = on";
   return {};
 }
@@ -53,6 +57,38 @@ Reason needs_several_lights(const Settings& s, const SceneTraits& t) {
 Reason needs_attributes(const Settings& s, const SceneTraits&) {
   if (s.draw != Draw::filled) return "needs draw = filled";
   return {};
+}
+
+template <std::size_t Light>
+Reason needs_light(const Settings&, const SceneTraits& t) {
+  return t.light_count > Light ? Reason{} : "the scene has no such light";
+}
+
+/// "all", then one choice for each index.
+template <std::size_t... Light>
+std::vector<Choice> light_choices(std::index_sequence<Light...>) {
+  static const std::array keys{std::to_string(Light)...};
+  static const std::array labels{"light " + std::to_string(Light)...};
+  return {{"all", "all", "All lights."}, {keys[Light], labels[Light], "This light alone.", needs_light<Light>}...};
+}
+
+Option light_shown_row() {
+  constexpr std::size_t most_lights = 16;
+  Option option = choice<&Settings::light_shown>(
+      {.key = "light-shown",
+       .label = "Light shown",
+       .help = {"Shows the contribution of one light, or of all.", "CGFS ch. 15; CGPP 15.7.2.3",
+                "The pictures of the single lights add up to the full one, unless a colour is clamped."},
+       .keywords = "solo, single light, isolate a light",
+       .truth = exactly("light-shown=all"),
+       .inactive = needs_several_lights},
+      light_choices(std::make_index_sequence<most_lights>()));
+  option.sweep_values = "all,0,1,2";  // most scenes have no more lights
+  option.get = [](const Settings& settings) { return static_cast<OptionNumber>(settings.light_shown - all_lights); };
+  option.set = [](Settings& settings, OptionNumber number) {
+    settings.light_shown = static_cast<int>(number) + all_lights;
+  };
+  return option;
 }
 
 }  // namespace
@@ -66,16 +102,7 @@ std::vector<Option> shading_rows() {
                                    .keywords = "illumination, shade, unlit, flat colour",
                                    .truth = exactly("lighting=on"),
                                    .inactive = needs_surfaces}),
-      integer<&Settings::light_shown>(
-          {.key = "light-shown",
-           .label = "Light shown",
-           .help = {"Shows the contribution of one light. 0 shows all lights, 1 shows light 0.",
-                    "CGFS ch. 15; CGPP 15.7.2.3",
-                    "The pictures of the single lights add up to the full one, unless a colour is clamped."},
-           .keywords = "solo, single light, isolate a light",
-           .truth = exactly("light-shown=0"),
-           .inactive = needs_several_lights},
-          0, 16),
+      light_shown_row(),
       choice<&Settings::shading>(
           {.key = "shading",
            .label = "Shading",

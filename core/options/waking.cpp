@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "base/number_text.h"
@@ -102,7 +103,6 @@ SceneTraits all_traits() {
                                          &SceneTraits::transparent,
                                          &SceneTraits::attenuated,
                                          &SceneTraits::point_lights,
-                                         &SceneTraits::several_lights,
                                          &SceneTraits::patches,
                                          &SceneTraits::light_maps,
                                          &SceneTraits::opacity_maps,
@@ -117,6 +117,7 @@ SceneTraits all_traits() {
                                          &SceneTraits::one_sided,
                                          &SceneTraits::dynamic})
     all.*trait = true;
+  all.light_count = std::numeric_limits<std::size_t>::max();
   return all;
 }
 

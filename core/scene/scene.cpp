@@ -73,7 +73,7 @@ SceneTraits scene_traits(const Scene& scene) {
   traits.attenuated = std::any_of(scene.lights->begin(), scene.lights->end(), [](const Light& light) {
     return light.kind == LightKind::point && light.attenuation != Vec3d{1, 0, 0};
   });
-  traits.several_lights = scene.lights->size() > 1;
+  traits.light_count = scene.lights->size();
   traits.canvas_items = !scene.canvas_items->empty();
   traits.canvas_triangles =
       std::any_of(scene.canvas_items->begin(), scene.canvas_items->end(),

@@ -85,7 +85,6 @@ struct SceneTraits {
   bool transparent = false;
   bool attenuated = false;  ///< a point light that grows weaker with distance in a way of its own
   bool point_lights = false;
-  bool several_lights = false;
   bool patches = false;     ///< curved models that can be cut into triangles anew
   bool light_maps = false;  ///< pictures of highlights or of ambient light
   bool opacity_maps = false;
@@ -99,7 +98,7 @@ struct SceneTraits {
   bool any_transparency = false;    ///< a transparency above 0, even one that cannot be seen
   bool one_sided = false;           ///< triangles that are seen from their front alone
   bool dynamic = false;             ///< objects that are marked so
-  std::size_t sphere_count = 0;
+  std::size_t sphere_count = 0, light_count = 0;
 };
 SceneTraits scene_traits(const Scene& scene);
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "math/vec.h"
+#include "options/settings.h"
 #include "scene/light.h"
 #include "scene/material.h"
 
@@ -77,14 +78,15 @@ inline ShadingMaterial<Real> shading_material(const Material& material) {
   return result;
 }
 
-/// With `shown` above 0 (option light-shown) all but that light, counted from 1, are dark.
+/// `shown` (option light-shown) is the index of the light beside which all are dark, or all_lights.
 template <class Real>
 inline std::vector<ShadingLight<Real>> shading_lights(const std::vector<Light>& lights, int shown) {
   std::vector<ShadingLight<Real>> result;
   result.reserve(lights.size());
   for (const Light& light : lights) {
+    const bool dark = shown != all_lights && static_cast<int>(result.size()) != shown;
     result.push_back(shading_light<Real>(light));
-    if (shown > 0 && static_cast<int>(result.size()) != shown) result.back().intensity = 0;
+    if (dark) result.back().intensity = 0;
   }
   return result;
 }

@@ -40,7 +40,7 @@ Settings settings_as_listed(const NamedListing& listing, const Scene& scene, con
   as.epsilon_unit = EpsilonUnit::ray_parameter;
   as.illumination = Illumination::book;
   as.highlight = Highlight::phong;
-  as.light_shown = 0;
+  as.light_shown = all_lights;
   as.refraction = false;
   for (const Material& material : *scene.materials)
     if (material.normal_map >= 0) as.normal_mapping = false;

@@ -41,7 +41,7 @@ TEST(LightShown, PassesOfSingleLightsAddUpToThePicture) {
     Image<Vec3f> sum(120, 80);
     Image<std::int32_t> counts(120, 80);
     double least_share = 1e9;
-    for (settings.light_shown = 1; settings.light_shown <= lights; ++settings.light_shown) {
+    for (settings.light_shown = 0; settings.light_shown < lights; ++settings.light_shown) {
       const Frame alone = draw(scene, settings, prepared);
       double light = 0;
       for (std::size_t i = 0; i < sum.pixels().size(); ++i) {
@@ -58,7 +58,7 @@ TEST(LightShown, PassesOfSingleLightsAddUpToThePicture) {
         ASSERT_EQ(counts.pixels()[i], whole.stencil.pixels()[i]) << i;
       }
     }
-    settings.light_shown = lights + 1;
+    settings.light_shown = lights;
     const Frame dark = draw(scene, settings, prepared);
     for (const Vec3f& colour : dark.colour.pixels()) ASSERT_EQ(colour, Vec3f(0));
   }

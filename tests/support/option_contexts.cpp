@@ -105,6 +105,7 @@ const std::vector<OptionContext>& option_contexts() {
         {lesson_scene("cgpp_15_6_exact_edges", "fan.scene"), {"renderer=textbook", "listing=cgpp-15-6-exact-edges"}},
         {"lab/polygon-rows", {"renderer=textbook", "listing=lab-cornell"}},
         {"cgfs/cubes", {"renderer=textbook", "listing=oct-dont-test-everything"}},
+        {PIXELSCOPE_TEST_DIR "/support/sixteen_lights.scene", {}},
     };
     if (has_renderer("hardware")) contexts.push_back({"cgfs/crates", {"renderer=hardware"}});
     return contexts;

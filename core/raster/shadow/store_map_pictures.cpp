@@ -19,7 +19,7 @@ void store_map_pictures(const Pass<Real>& pass, Frame& frame) {
   if (frame.stencil.empty()) return;
   for (std::size_t light = 0; light < pass.stencil->counts.size(); ++light) {
     const int shown = pass.settings.light_shown;
-    if (shown > 0 && static_cast<int>(light) + 1 != shown) continue;
+    if (shown != all_lights && static_cast<int>(light) != shown) continue;
     const Image<std::int32_t>& counts = pass.stencil->counts[light];
     for (std::size_t i = 0; i < counts.pixels().size(); ++i) frame.stencil.pixels()[i] += counts.pixels()[i];
   }
