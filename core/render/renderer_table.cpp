@@ -28,6 +28,12 @@ const RendererRow& renderer_row(Renderer renderer) {
   return *found;
 }
 
+std::optional<Renderer> driver_renderer() {
+  const auto table = renderer_table();
+  const auto found = std::find_if(table.begin(), table.end(), [](const RendererRow& r) { return r.by_driver; });
+  return found == table.end() ? std::nullopt : std::optional(found->renderer);
+}
+
 Renderer add_renderer(const AddedRenderer& added) {
   RendererRow row = added.row;
   row.renderer = add_renderer_kind(added.kind);

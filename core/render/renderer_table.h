@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <span>
 
 #include "options/renderer_kind.h"
@@ -11,6 +12,9 @@ std::span<const RendererRow> renderer_table();
 
 /// The row of one of them.
 const RendererRow& renderer_row(Renderer renderer);
+
+/// The renderer whose pictures a graphics driver makes, or nothing: not every program has one.
+std::optional<Renderer> driver_renderer();
 
 /// A renderer that core does not know: what the option table shows of it, and its row, whose number is filled in.
 struct AddedRenderer {

@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "options/renderer_kind.h"
+#include "render/renderer_table.h"
 #include "scene/scene.h"
-#include "study/stability/added_renderer.h"
 
 namespace ps {
 namespace {
@@ -42,10 +41,8 @@ std::vector<std::string> absent_renderers(std::span<const SweepAxis> axes) {
   for (const RendererKind& kind : renderer_kinds())
     if (const auto reason = why_not_here(kind); reason && draws_any_scene(kind))
       absent.push_back(fmt::format("{}: {}", kind.label, *reason));
-  const auto all = renderer_kinds();
-  const std::string_view key = stability::hardware_renderer_key;
-  if (std::none_of(all.begin(), all.end(), [&](const RendererKind& kind) { return kind.key == key; }))
-    absent.push_back(fmt::format("{0}: this program was built without the {0} renderer", key));
+  if (!driver_renderer())
+    absent.emplace_back("graphics driver: this program was built without a renderer that uses it");
   return absent;
 }
 

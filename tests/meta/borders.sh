@@ -43,9 +43,8 @@ forbid 'Functions of the C library whose last bits differ, in what makes picture
   'std::(a?(sin|cos|tan)h?|atan2|exp2?|expm1|pow|log(2|10|1p)?|cbrt|hypot|fma)f?\(' \
   '^core/(accel|frame|raster|raytrace|record|render|scene|shade|textbook)/|^chapters/' '^core/record/value_text'
 # The renderers of core are named by the enum and its default, by their rows in the option table, and by the table that
-# asks each folder for its row; whatever else must know how a picture is made asks options/renderer_kind.h. Experiments
-# that measure the graphics driver, and the remark that a program lacks it, take the name from one file.
-namers='^core/(options/settings\.h|options/renderer\.cpp|render/renderer_table\.cpp|study/stability/added_renderer\.h)$'
+# asks each folder for its row; whatever else must know how a picture is made asks options/renderer_kind.h.
+namers='^core/(options/settings\.h|options/renderer\.cpp|render/renderer_table\.cpp)$'
 forbid 'One renderer by name: ask for its way of making pictures (options/renderer_kind.h) or its row' \
   '^((?!//).)*(Renderer::(ray_tracer|rasterizer|textbook)\b|\b(ray_tracer|rasterizer|textbook)_row\(|"(ray-tracer|rasterizer|textbook|hardware)"|\brenderer=(ray-tracer|rasterizer|textbook|hardware))' \
   '^(core|chapters|app)/' "^core/(raytrace|raster|textbook|hardware)/|$namers"

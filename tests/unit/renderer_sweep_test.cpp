@@ -41,7 +41,7 @@ TEST(RendererSweep, LacksWhatThisProgramWasBuiltWithout) {
   ASSERT_EQ(axes.size(), 1u);
   EXPECT_EQ(axes[0].values, (std::vector<std::string>{"ray-tracer", "rasterizer"})) << "no listing, no driver";
   EXPECT_EQ(absent_renderers(axes),
-            std::vector<std::string>{"hardware: this program was built without the hardware renderer"});
+            std::vector<std::string>{"graphics driver: this program was built without a renderer that uses it"});
   EXPECT_TRUE(absent_renderers(parse_sweep("renderer=ray-tracer")).empty()) << "nobody asked for all of them";
   EXPECT_TRUE(absent_renderers(parse_sweep("samples")).empty());
 }

@@ -179,21 +179,24 @@ TEST(StabilityFigureRows, AnExperimentWithFiguresOfAnotherMeasurementIsAReproduc
         << experiment.key << ": its set_up says otherwise";
 }
 
-TEST(StabilityExperiments, ThoseOfARendererAreAbsentWithoutIt) {
+TEST(StabilityExperiments, ThoseOfTheDriverAreAbsentWithoutARendererThatUsesIt) {
   for (const StabilityExperiment& experiment : stability_experiments()) {
-    EXPECT_TRUE(experiment.renderer.empty()) << experiment.key << ": this program has no added renderer";
+    EXPECT_FALSE(experiment.measures_driver) << experiment.key << ": this program has no added renderer";
     EXPECT_FALSE(why_not_measured(experiment)) << experiment.key;
   }
   try {
     find_stability_experiment("driver-level");
     FAIL() << "it is there";
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(),
-                 "experiment 'driver-level': needs the hardware renderer, which this program was built without");
+    EXPECT_STREQ(
+        error.what(),
+        "experiment 'driver-level': measures the graphics driver, and this program was built without a renderer "
+        "that uses it");
   }
   StabilityExperiment made;
-  made.renderer = "hardware";
-  EXPECT_EQ(why_not_measured(made), "this program was built without the hardware renderer");
+  made.measures_driver = true;
+  EXPECT_EQ(why_not_measured(made),
+            "measures the graphics driver, and this program was built without a renderer that uses it");
 }
 
 TEST(StabilityExperiments, EachHasAPlaceOfItsOwn) {

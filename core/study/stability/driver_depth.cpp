@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "options/renderer_kind.h"
+#include "render/renderer_table.h"
 #include "scene/scene_file.h"
-#include "study/stability/added_renderer.h"
 #include "study/stability/support.h"
 
 namespace ps::stability::driver_depth {
@@ -84,7 +84,7 @@ constexpr std::array gaps{0.001, 0.01, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 30
 
 std::vector<StabilityRow> measure_sheets(const StabilityRun& run) {
   Rows rows(run);
-  const Renderer driver = hardware_renderer(), own = renderer_for(PictureWay::fragments);
+  const Renderer driver = driver_renderer().value(), own = renderer_for(PictureWay::fragments);
   for (const Format& format : {bits_24, bits_16})
     for (const double gap : gaps)
       for (const auto& [name, renderer] : {std::pair{"driver", driver}, std::pair{"ours", own}})
@@ -96,8 +96,8 @@ std::vector<StabilityRow> measure_sheets(const StabilityRun& run) {
 
 StabilityPicture picture_sheets(double gap) {
   StabilityPicture picture{.scene = sheets_text(gap)};
-  picture.naive = sheet_settings(hardware_renderer(), bits_24);
-  picture.robust = sheet_settings(hardware_renderer(), reversed_float);
+  picture.naive = sheet_settings(driver_renderer().value(), bits_24);
+  picture.robust = sheet_settings(driver_renderer().value(), reversed_float);
   return picture;
 }
 
@@ -127,7 +127,7 @@ extern const StabilityExperiment driver_depth{
     .series = driver_depth_series,
     .measure = measure_sheets,
     .picture = picture_sheets,
-    .renderer = hardware_renderer_key,
+    .measures_driver = true,
     .frames = shown_gaps};
 
 }  // namespace ps::stability::driver_depth

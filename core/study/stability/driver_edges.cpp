@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "options/renderer_kind.h"
+#include "render/renderer_table.h"
 #include "scene/scene_file.h"
-#include "study/stability/added_renderer.h"
 #include "study/stability/support.h"
 
 namespace ps::stability::driver_edges {
@@ -106,8 +106,8 @@ std::vector<StabilityRow> measure_edges(const StabilityRun& run) {
                         Channel::ids | Channel::uv, run);
     };
     const Frame ours = draw(renderer_for(PictureWay::fragments), HardwareTexturing::shader);
-    const Frame driver = draw(hardware_renderer(), HardwareTexturing::driver);
-    const Frame shader = draw(hardware_renderer(), HardwareTexturing::shader);
+    const Frame driver = draw(driver_renderer().value(), HardwareTexturing::driver);
+    const Frame shader = draw(driver_renderer().value(), HardwareTexturing::shader);
     for (const auto& [name, kind] : {std::pair{"at jumps", BlockKind::jump},
                                      {"elsewhere", BlockKind::inside},
                                      {"at the outline", BlockKind::outline}}) {
@@ -120,8 +120,8 @@ std::vector<StabilityRow> measure_edges(const StabilityRun& run) {
 
 StabilityPicture picture_of_bricks(double depth) {
   StabilityPicture picture{.scene = bricks_text(depth), .width = side, .height = side};
-  picture.naive = brick_settings(hardware_renderer(), HardwareTexturing::driver);
-  picture.robust = brick_settings(hardware_renderer(), HardwareTexturing::shader);
+  picture.naive = brick_settings(driver_renderer().value(), HardwareTexturing::driver);
+  picture.robust = brick_settings(driver_renderer().value(), HardwareTexturing::shader);
   return picture;
 }
 
@@ -154,7 +154,7 @@ extern const StabilityExperiment driver_edges{
     .series = driver_edges_series,
     .measure = measure_edges,
     .picture = picture_of_bricks,
-    .renderer = hardware_renderer_key,
+    .measures_driver = true,
     .frames = frames};
 
 }  // namespace ps::stability::driver_edges

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "options/renderer_kind.h"
+#include "render/renderer_table.h"
 #include "scene/scene_file.h"
-#include "study/stability/added_renderer.h"
 #include "study/stability/support.h"
 
 namespace ps::stability::driver_level {
@@ -189,7 +189,7 @@ constexpr std::array tilts{35.0, 45.0, 55.0, 65.0, 75.0, 80.0};
 std::vector<StabilityRow> measure_level(const StabilityRun& run) {
   Rows rows(run);
   Settings shader = plain_settings();
-  shader.renderer = hardware_renderer();
+  shader.renderer = driver_renderer().value();
   shader.hardware_texturing = HardwareTexturing::shader;
   Settings driver = shader;
   driver.hardware_texturing = HardwareTexturing::driver;
@@ -212,7 +212,7 @@ std::vector<StabilityRow> measure_level(const StabilityRun& run) {
 StabilityPicture picture_level(double tilt) {
   StabilityPicture picture{.scene = plane_text(tilt)};
   picture.robust = plain_settings();
-  picture.robust.renderer = hardware_renderer();
+  picture.robust.renderer = driver_renderer().value();
   picture.robust.hardware_texturing = HardwareTexturing::shader;
   picture.naive = picture.robust;
   picture.naive.hardware_texturing = HardwareTexturing::driver;
@@ -250,7 +250,7 @@ extern const StabilityExperiment driver_level{
     .series = driver_level_series,
     .measure = measure_level,
     .picture = picture_level,
-    .renderer = hardware_renderer_key,
+    .measures_driver = true,
     .frames = tilts};
 
 }  // namespace ps::stability::driver_level

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "options/renderer_kind.h"
+#include "render/renderer_table.h"
 #include "scene/scene_file.h"
-#include "study/stability/added_renderer.h"
 #include "study/stability/support.h"
 
 namespace ps::stability::driver_snapping {
@@ -79,7 +79,7 @@ std::vector<StabilityRow> measure_edge(const StabilityRun& run) {
   const Renderer triangles = renderer_for(PictureWay::fragments);
   for (int step = 0; step <= 16; ++step) {
     const double moved = step / 2048.0;
-    const double driver = off_by(strip_settings(hardware_renderer(), 8), moved, run);
+    const double driver = off_by(strip_settings(driver_renderer().value(), 8), moved, run);
     measured.push_back({moved, "edge", driver, off_by(strip_settings(triangles, 12), moved, run), "pixels"});
     measured.push_back(
         {moved, "edge, both to 8 bits", driver, off_by(strip_settings(triangles, 8), moved, run), "pixels"});
@@ -112,6 +112,6 @@ extern const StabilityExperiment driver_snapping{
     .window = nowhere_safe,
     .series = driver_snapping_series,
     .measure = measure_edge,
-    .renderer = hardware_renderer_key};
+    .measures_driver = true};
 
 }  // namespace ps::stability::driver_snapping

@@ -96,13 +96,12 @@ struct StabilityExperiment {
   std::span<const StabilitySeries> series;  ///< what its series measure; the one first that the text speaks of
   std::vector<StabilityRow> (*measure)(const StabilityRun&) = nullptr;
   StabilityPicture (*picture)(double knob) = nullptr;  ///< null: nothing to see
-  /// Key of a renderer that not every program has and that the experiment measures; empty: it needs none such.
-  std::string_view renderer{};
+  bool measures_driver = false;      ///< it needs the renderer that uses a graphics driver (render/renderer_table.h)
   std::span<const double> frames{};  ///< knobs of the film strip, from left to right: those of the first of `series`
 };
 
-/// All experiments of this program, by their place; those that measure a renderer which it was built without are not
-/// among them. Adding one is a file with its constant: cmake/Experiments.cmake finds those.
+/// All experiments of this program, by their place; those that measure the graphics driver are not among them where no
+/// renderer uses it. Adding one is a file with its constant: cmake/Experiments.cmake finds those.
 std::span<const StabilityExperiment> stability_experiments();
 /// Throws InputError naming the nearest key, or what an experiment needs that this program was built without.
 const StabilityExperiment& find_stability_experiment(std::string_view key);

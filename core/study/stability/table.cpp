@@ -10,7 +10,7 @@
 #include "base/csv.h"
 #include "base/spelling.h"
 #include "base/word_search.h"
-#include "options/renderer_kind.h"
+#include "render/renderer_table.h"
 #include "scene/scene.h"
 #include "study/stability/experiment.h"
 
@@ -27,16 +27,7 @@ PS_STABILITY_EXPERIMENTS(PS_DECLARE)
 
 namespace {
 
-/// The renderer's kind, or nullptr where the program was built without it.
-const RendererKind* kind_of(std::string_view key) {
-  const auto all = renderer_kinds();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const RendererKind& kind) { return kind.key == key; });
-  return found == all.end() ? nullptr : &*found;
-}
-
-bool is_here(const StabilityExperiment& experiment) {
-  return experiment.renderer.empty() || kind_of(experiment.renderer) != nullptr;
-}
+bool is_here(const StabilityExperiment& experiment) { return !experiment.measures_driver || driver_renderer(); }
 
 std::vector<StabilityExperiment> in_order() {
 #define PS_EXPERIMENT(file, name) stability::file::name,
@@ -60,6 +51,9 @@ const auto& table() {
   return experiments;
 }
 
+constexpr std::string_view no_driver =
+    "measures the graphics driver, and this program was built without a renderer that uses it";
+
 std::string number_field(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
 
 }  // namespace
@@ -76,9 +70,7 @@ const StabilityExperiment& find_stability_experiment(std::string_view key) {
   if (found != table().end()) return *found;
   const auto left_out =
       std::find_if(everything().begin(), everything().end(), [&](const auto& row) { return row.key == key; });
-  if (left_out != everything().end())
-    throw InputError(fmt::format("experiment '{}': needs the {} renderer, which this program was built without", key,
-                                 left_out->renderer));
+  if (left_out != everything().end()) throw InputError(fmt::format("experiment '{}': {}", key, no_driver));
   std::vector<std::string_view> known;
   for (const StabilityExperiment& row : table()) known.push_back(row.key);
   throw InputError(fmt::format("unknown experiment '{}'{}", key,
@@ -86,10 +78,11 @@ const StabilityExperiment& find_stability_experiment(std::string_view key) {
 }
 
 std::optional<std::string> why_not_measured(const StabilityExperiment& experiment) {
-  if (experiment.renderer.empty()) return {};
-  const RendererKind* kind = kind_of(experiment.renderer);
-  if (!kind) return fmt::format("this program was built without the {} renderer", experiment.renderer);
-  const auto reason = kind->inactive ? kind->inactive(Settings{}, SceneTraits{}) : std::nullopt;
+  if (!experiment.measures_driver) return {};
+  const auto renderer = driver_renderer();
+  if (!renderer) return std::string(no_driver);
+  const RendererKind& kind = renderer_kind(*renderer);
+  const auto reason = kind.inactive ? kind.inactive(Settings{}, SceneTraits{}) : std::nullopt;
   return reason ? std::optional(std::string(*reason)) : std::nullopt;
 }
 
