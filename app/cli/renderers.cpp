@@ -83,7 +83,7 @@ std::string window_link(const std::string& scene, const Chart& chart, const Rend
   document.a.settings = chart.points.front().what.value;
   document.b.settings = chart.points.back().what.value;
   document.mode = ScreenMode::study;
-  document.layout.bottom_tab = "chart";
+  document.layout.bottom_tab = tool_names::chart;
   return permalink(document);
 }
 

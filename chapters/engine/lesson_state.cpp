@@ -37,7 +37,7 @@ ScreenMode parse_step_mode(const std::string& text) {
 /// "story" is the stage that a step has if it names none.
 std::string parse_stage(const std::string& text) {
   if (text == "story") return {};
-  std::vector<std::string_view> known(bottom_tabs.begin(), bottom_tabs.end());
+  std::vector<std::string_view> known(tool_names::all.begin(), tool_names::all.end());
   known.insert(known.end(), {"story", pictures_stage});
   if (std::find(known.begin(), known.end(), text) == known.end())
     throw InputError(fmt::format("stage: found '{}', expected {}", text, expected_word(text, known)));
@@ -130,10 +130,10 @@ bool read_state_line(const BlockLine& line, LessonState& state) {
     state.stage = parse_stage(rest);
   else if (line.word == "sweep") {
     set_part(state.parts, "sweep", sweep_text(parse_sweep_text(rest)));
-    state.stage = "chart";
+    state.stage = tool_names::chart;
   } else if (line.word == "experiment") {
     set_part(state.parts, "experiment", find_stability_experiment(rest).key);
-    state.stage = "stability";
+    state.stage = tool_names::stability;
   } else
     return add_part(line, state);
   return true;
@@ -154,7 +154,7 @@ Document state_document(const LessonState& state, const Document& now) {
   document.a.settings = document.b.settings = settings_for(document.base);
   if (part_of(state, "size")) document.pixel = {-1, -1};  // the start pixel is one of the canvas size
   document.layout = now.layout;
-  const bool tool = std::find(bottom_tabs.begin(), bottom_tabs.end(), state.stage) != bottom_tabs.end();
+  const bool tool = std::find(tool_names::all.begin(), tool_names::all.end(), state.stage) != tool_names::all.end();
   if (tool) document.layout.bottom_tab = state.stage;
   if (tool && document.layout.bottom <= 0) document.layout.bottom = opened_share;
   document.story = carried_over(now.story, same_scene);

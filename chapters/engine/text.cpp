@@ -15,7 +15,7 @@ namespace ps {
 namespace {
 
 std::vector<std::string_view> linked_panels() {
-  std::vector<std::string_view> names(bottom_tabs.begin(), bottom_tabs.end());
+  std::vector<std::string_view> names(tool_names::all.begin(), tool_names::all.end());
   names.insert(names.end(), {options_panel_name, story_panel_name, parting_panel_name});
   return names;
 }

@@ -48,7 +48,7 @@ std::string plain_text(const TextBlock& block);
 /// The formula of a block that is nothing but a formula on a line of its own; else nullptr.
 const Formula* display_formula(const TextBlock& block);
 
-/// The panels that a link can name beside those of bottom_tabs: all options, the pixel's story, and in it the place
+/// The panels that a link can name beside those of tool_names::all: all options, the pixel's story, and in it the place
 /// where the stories of A and B part.
 inline constexpr std::string_view options_panel_name = "options", story_panel_name = "story",
                                   parting_panel_name = "parting";

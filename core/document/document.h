@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "document/layout_names.h"
 #include "document/pin.h"
 #include "document/scene_edits.h"
 #include "document/story_view.h"
@@ -49,24 +50,21 @@ struct PictureView {
   bool operator==(const PictureView&) const = default;
 };
 
-/// The names that Layout::bottom_tab takes. Their order says nothing.
-inline constexpr std::array<std::string_view, 10> bottom_tabs{"chart", "listing",   "microscope", "needs",  "pixels",
-                                                              "space", "stability", "timings",    "vertex", "why"};
-
 /// What the window is for just now, which decides how it is divided. A lesson has its text beside large pictures; a
 /// study one long tool beside small ones; the presenter shows pictures alone with the text as a caption.
 enum class ScreenMode { lesson, explore, study, presenter };
 
 /// How the window is divided. Sizes are shares of the window, 0..1; 0 = what suits the window's size.
 struct Layout {
-  double left = 0, right = 0, bottom = 0;  ///< bottom: 0 = folded
-  bool panels = true;                      ///< false: only the pictures
-  std::string left_tab = "options", right_tab = "story", bottom_tab = "space";
-  bool pixel_open = false;  ///< exploring: the panel with the pixel's story
-  std::string stage;        ///< below the pictures of a lesson, one of bottom_tabs; empty = the pixel's story
-  std::string sweep;        ///< what the chart varies, as sweep_text() writes it; empty = the first named sweep
-  std::string experiment;   ///< key of the one that the stability tab shows; empty = the first
-  std::string filled;  ///< the region that has the window for itself: "left", "lesson", "right", "bottom"; "" = none
+  double left = 0, right = 0, bottom = 0;     ///< bottom: 0 = folded
+  bool panels = true;                         ///< false: only the pictures
+  std::string right_tab = "story";            ///< what of the pixel's stories is shown
+  std::string bottom_tab{tool_names::space};  ///< one of tool_names::all
+  bool pixel_open = false;                    ///< exploring: the panel with the pixel's story
+  std::string stage;       ///< below the pictures of a lesson, one of tool_names::all; empty = the pixel's story
+  std::string sweep;       ///< what the chart varies, as sweep_text() writes it; empty = the first named sweep
+  std::string experiment;  ///< key of the one that the stability tab shows; empty = the first
+  std::string filled;      ///< the region that has the window for itself, one of region_names; "" = none
   bool operator==(const Layout&) const = default;
 };
 

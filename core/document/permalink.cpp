@@ -162,8 +162,6 @@ const std::vector<Field>& document_fields() {
          if (t != "on" && t != "off") throw InputError(fmt::format("panels: found '{}', expected on or off", t));
          d.layout.panels = t == "on";
        }},
-      {"left-tab", [](const Document& d) { return text_unless(d.layout.left_tab, Layout{}.left_tab); },
-       [](Document& d, std::string_view t) { d.layout.left_tab = t; }},
       {"right-tab", [](const Document& d) { return text_unless(d.layout.right_tab, Layout{}.right_tab); },
        [](Document& d, std::string_view t) { d.layout.right_tab = t; }},
       {"bottom-tab", [](const Document& d) { return text_unless(d.layout.bottom_tab, Layout{}.bottom_tab); },

@@ -200,7 +200,7 @@ void App::Parts::add_actions() {
                .group = "Study",
                .run =
                    [this] {
-                     open_tool("vertex");
+                     open_tool(tool_names::vertex);
                      play_film(my.vertex.film);
                    },
                .enabled = [this] { return session.has_scene(); }});
@@ -209,7 +209,7 @@ void App::Parts::add_actions() {
                .group = "Study",
                .run =
                    [this] {
-                     open_tool("stability");
+                     open_tool(tool_names::stability);
                      key_focus().go_to("stability/scrub");
                    },
                .enabled = [this] { return session.has_scene(); }});
@@ -367,7 +367,7 @@ void App::Parts::draw() {
   message_bars(session, status_bar, px(8), size.x - px(8), size.y - status_height);
   if (const auto experiment = unsafe_lines(session, my.unsafe, my.pictures)) {
     show_experiment(my.stability, *experiment);
-    open_tool("stability");
+    open_tool(tool_names::stability);
   }
   files.draw();
   about.draw();

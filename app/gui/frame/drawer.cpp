@@ -26,9 +26,10 @@ struct GroupRow {
 };
 const std::array<GroupRow, 4> groups{
     GroupRow{ToolGroup::pixel, {"pixel", "Pixel", "What happens at the picked pixel."}},
-    GroupRow{ToolGroup::pixels, {"pixels", "Pixels", "The worst pixels, watched ones, and the levels of a rectangle."}},
+    GroupRow{ToolGroup::pixels,
+             {tool_names::pixels, "Pixels", "The worst pixels, watched ones, and the levels of a rectangle."}},
     GroupRow{ToolGroup::measure, {"measure", "Measure", "Time, error, and what makes A and B differ."}},
-    GroupRow{ToolGroup::stability, {"stability", "Stability", "Where methods fail: naive beside robust."}},
+    GroupRow{ToolGroup::stability, {tool_names::stability, "Stability", "Where methods fail: naive beside robust."}},
 };
 
 std::size_t place_of(ToolGroup group) { return static_cast<std::size_t>(group); }
@@ -74,7 +75,7 @@ void tool_tabs(Session& session, const std::vector<const Panel*>& tools, const P
     width += text_width(labels[i]) + px(22);
   }
   same_line_if_room(width + button_width("↓") + px(16), px(24));
-  if (tab_row("bottom", tabs, brief, index)) show_panel(session, tabs[static_cast<std::size_t>(index)].key);
+  if (tab_row(region_names::bottom, tabs, brief, index)) show_panel(session, tabs[static_cast<std::size_t>(index)].key);
 }
 
 /// A script looks for the tab of a tool whose group is not open.
@@ -99,7 +100,7 @@ void drawer_tabs(Session& session, const std::vector<Panel>& panels, DrawerState
   if (open) state.last[place_of(open->group)] = open->name;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float right = at.x + ImGui::GetContentRegionAvail().x;
-  if (tab_row("bottom", tabs, {}, index, open ? button_width("↓") : 0))
+  if (tab_row(region_names::bottom, tabs, {}, index, open ? button_width("↓") : 0))
     show_panel(session, first_tool(panels, state, groups[static_cast<std::size_t>(index)].group));
   if (!open) return;
   if (const auto tools = tools_of(panels, open->group); tools.size() > 1) tool_tabs(session, tools, *open);

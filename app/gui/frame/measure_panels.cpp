@@ -56,7 +56,7 @@ std::string chart_status(const ChartTabState& chart) {
 }
 
 Panel chart(Session& session, PanelStates& my, const PanelHost& host) {
-  return {.name = "chart",
+  return {.name = tool_names::chart,
           .use = PanelUse::study,
           .group = ToolGroup::measure,
           .height = PanelHeight::tall,
@@ -84,7 +84,7 @@ std::string stability_status(const StabilityTabState& stability) {
 }
 
 Panel stability(Session& session, PanelStates& my) {
-  return {.name = "stability",
+  return {.name = tool_names::stability,
           .use = PanelUse::study,
           .group = ToolGroup::stability,
           .height = PanelHeight::tall,
@@ -104,7 +104,7 @@ Panel stability(Session& session, PanelStates& my) {
 }
 
 Panel needs(Session& session, PanelStates& my) {
-  return {.name = "needs",
+  return {.name = tool_names::needs,
           .use = PanelUse::study,
           .group = ToolGroup::measure,
           .height = PanelHeight::tall,
@@ -130,7 +130,7 @@ Panel needs(Session& session, PanelStates& my) {
 }
 
 Panel why(Session& session, PanelStates& my) {
-  return {.name = "why",
+  return {.name = tool_names::why,
           .use = PanelUse::study,
           .group = ToolGroup::measure,
           .height = PanelHeight::tall,
@@ -141,7 +141,7 @@ Panel why(Session& session, PanelStates& my) {
           .draw = [&](const Context& context) { return why_tab(session, my.why, context.filled); },
           .actions =
               [&](Actions& to) {
-                add_why_actions(to, session, my.why, [&] { show_tool(session, my.lessons.column, "why"); });
+                add_why_actions(to, session, my.why, [&] { show_tool(session, my.lessons.column, tool_names::why); });
               },
           .publish = [&](Values& out) { offer_why_values(out, my.why); },
           .update =
@@ -155,7 +155,7 @@ Panel why(Session& session, PanelStates& my) {
 }
 
 Panel timings(Session& session, PanelStates& my) {
-  return {.name = "timings",
+  return {.name = tool_names::timings,
           .use = PanelUse::study,
           .group = ToolGroup::measure,
           .height = PanelHeight::tall,

@@ -49,7 +49,7 @@ void MenuBar::study_menu() {
   if (!begin_menu("menu/study", "Tools")) return;
   for (const Panel& panel : panels_) {
     if (panel.place != PanelPlace::below) continue;
-    if (panel.name == "chart") ImGui::Separator();  // what follows is about the whole picture
+    if (panel.name == tool_names::chart) ImGui::Separator();  // what follows is about the whole picture
     menu_action(actions_, "study-" + std::string(panel.name));
   }
   end_menu();

@@ -48,7 +48,7 @@ std::vector<PaletteEntry> palette_entries(Session& session, LessonColumn& column
     entries.push_back({fmt::format("experiment/{}", experiment.key), std::string(experiment.title), "experiment",
                        [&session, &column, &experiment] {
                          make_room_for_study(session);
-                         show_tool(session, column, "stability");
+                         show_tool(session, column, tool_names::stability);
                          session.navigate([&](Document& document) { document.layout.experiment = experiment.key; });
                        },
                        fmt::format("{}, {}", experiment.key, experiment.keywords)});

@@ -43,7 +43,7 @@ bool lesson_measurements_wait(const Session& session, const PanelStates& my) {
 // --- left ---
 
 Panel lesson(Session& session, PanelStates& my) {
-  return {.name = "lesson",
+  return {.name = region_names::lesson,
           .place = PanelPlace::left,
           .heading = "LESSON",
           .brief = "Lesson",
@@ -79,11 +79,11 @@ void take_sweep(Session& session, PanelStates& my) {
   if (!swept) return;
   sweep_option(my.chart, *swept, session.document().picked);
   make_room_for_study(session);
-  show_panel(session, "chart");
+  show_panel(session, tool_names::chart);
 }
 
 Panel options(Session& session, PanelStates& my) {
-  return {.name = "left",
+  return {.name = region_names::left,
           .place = PanelPlace::left,
           .heading = "OPTIONS",
           .brief = "Options",
@@ -177,7 +177,7 @@ bool draw_pixel(Session& session, PanelStates& my, const PanelHost& host) {
 }
 
 Panel pixel(Session& session, PanelStates& my, const PanelHost& host) {
-  return {.name = "right",
+  return {.name = region_names::right,
           .place = PanelPlace::right,
           .heading = "PIXEL",
           .brief = "Pixel",
@@ -246,7 +246,7 @@ Panel space(Session& session, PanelStates& my, const PanelHost& host) {
     host.ask_file(save_drawing_question(session, "Save the view from outside", "space.svg",
                                         [&] { return space_drawing(session, my.space); }));
   };
-  return {.name = "space",
+  return {.name = tool_names::space,
           .heading = "SPACE",
           .brief = "Space",
           .command = "Space: the scene from outside",
@@ -272,7 +272,7 @@ Panel microscope(Session& session, PanelStates& my, const PanelHost& host) {
     host.ask_file(save_drawing_question(session, "Save the microscope's view", "pixel.svg",
                                         [&] { return microscope_drawing(my.microscope); }));
   };
-  return {.name = "microscope",
+  return {.name = tool_names::microscope,
           .heading = "MICROSCOPE",
           .brief = "Micro",
           .command = "Microscope: the pixel at panel size",
@@ -287,7 +287,7 @@ Panel microscope(Session& session, PanelStates& my, const PanelHost& host) {
 }
 
 Panel pixels(Session& session, PanelStates& my) {
-  return {.name = "pixels",
+  return {.name = tool_names::pixels,
           .use = PanelUse::study,
           .group = ToolGroup::pixels,
           .height = PanelHeight::tall,
@@ -314,7 +314,7 @@ bool head_of_listing(Session& session, PanelStates& my, const PanelHost& host) {
 }
 
 Panel listing(Session& session, PanelStates& my, const PanelHost& host) {
-  return {.name = "listing",
+  return {.name = tool_names::listing,
           .height = PanelHeight::tall,
           .heading = "LISTING",
           .brief = "Listing",
@@ -340,7 +340,7 @@ Panel listing(Session& session, PanelStates& my, const PanelHost& host) {
 }
 
 Panel vertex(Session& session, PanelStates& my) {
-  return {.name = "vertex",
+  return {.name = tool_names::vertex,
           .height = PanelHeight::tall,
           .heading = "VERTEX",
           .brief = "Vertex",
@@ -360,8 +360,8 @@ Panel vertex(Session& session, PanelStates& my) {
 bool rows_match_names(const std::vector<Panel>& panels) {
   const auto below =
       std::count_if(panels.begin(), panels.end(), [](const Panel& panel) { return panel.place == PanelPlace::below; });
-  return below == std::ssize(bottom_tabs) &&
-         std::all_of(bottom_tabs.begin(), bottom_tabs.end(), [&](std::string_view name) {
+  return below == std::ssize(tool_names::all) &&
+         std::all_of(tool_names::all.begin(), tool_names::all.end(), [&](std::string_view name) {
            return std::any_of(panels.begin(), panels.end(), [&](const Panel& panel) { return panel.name == name; });
          });
 }

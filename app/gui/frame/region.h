@@ -11,12 +11,12 @@ enum class RegionPadding { normal, tight };
 inline constexpr double region_padding = 8;  ///< at the sides, and above and below a normal one, pixels at scale 1
 
 /// Begins a region of the window; ImGui::EndChild() after what is in it. With a heading, a double click on that lets
-/// the region fill the window, another one or Esc takes it back. `name` is that of the document's layout.
-void begin_region(Session& session, const std::string& name, const Area& area, const std::string& heading = {},
+/// the region fill the window, another one or Esc takes it back. `name` is one of region_names.
+void begin_region(Session& session, std::string_view name, const Area& area, const std::string& heading = {},
                   RegionPadding padding = RegionPadding::normal);
 
 /// The heading alone, for a region that was begun without one: what lies over it is drawn before it.
 /// `reserved`: so much at its right end is left to something else, window pixels.
-void region_heading(Session& session, const std::string& name, const std::string& heading, float reserved = 0);
+void region_heading(Session& session, std::string_view name, const std::string& heading, float reserved = 0);
 
 }  // namespace ps::gui

@@ -72,9 +72,9 @@ void Regions::draw(const Area& area, bool offers_first_look) {
 
 void Regions::filled(const Area& area) {
   const std::string& region = session_.document().layout.filled;
-  if (region == "right")
+  if (region == region_names::right)
     right(area, true);
-  else if (region == "bottom")
+  else if (region == region_names::bottom)
     drawer(area);
   else if (session_.document().mode == ScreenMode::lesson)
     lesson_text(area);
@@ -117,7 +117,7 @@ StagePlace Regions::stage_place() const {
 
 const Panel& Regions::staged() const {
   const std::string& stage = session_.document().layout.stage;
-  return panel(stage.empty() || stage == pictures_stage ? "right" : stage);
+  return panel(stage.empty() || stage == pictures_stage ? region_names::right : stage);
 }
 
 /// Below the text, where the step asks before it shows; returns what room is left.
@@ -158,7 +158,7 @@ void Regions::question(const Area& area, bool pending) {
 void Regions::lesson_text(const Area& area) {
   const Lesson* lesson = my_.lessons.open(session_);
   if (!lesson) {
-    begin_region(session_, "lesson", area, "LESSONS");
+    begin_region(session_, region_names::lesson, area, "LESSONS");
     if (lesson_list(session_, my_.lessons.read)) open_lesson_picker(my_.picker, session_);
     ImGui::EndChild();
     return;
@@ -170,8 +170,8 @@ void Regions::lesson_text(const Area& area) {
 void Regions::titled_text(const Area& area, const std::string& title) {
   Area text{area.min, {area.max.x + px(text_overlap), area.max.y}};
   text = above_question(text);
-  begin_region(session_, "lesson", text, title);
-  panel("lesson").draw({.filled = session_.document().layout.filled == "lesson"});
+  begin_region(session_, region_names::lesson, text, title);
+  panel(region_names::lesson).draw({.filled = session_.document().layout.filled == region_names::lesson});
   ImGui::EndChild();
 }
 
@@ -195,7 +195,7 @@ bool Regions::column_head() {
   const std::string title = whole_words(lesson->title, ImGui::GetContentRegionAvail().x);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos({at.x, at.y + ImGui::GetStyle().FramePadding.y});
-  region_heading(session_, "lesson", title);
+  region_heading(session_, region_names::lesson, title);
   return false;
 }
 
@@ -263,7 +263,7 @@ bool Regions::tool(const Panel& panel, const Context& context) {
 
 void Regions::fill_with_stage() {
   session_.navigate([&](Document& document) {
-    document.layout.filled = "bottom";
+    document.layout.filled = region_names::bottom;
     document.layout.bottom_tab = staged().name;
   });
 }
@@ -367,8 +367,8 @@ void Regions::study(const Area& area) {
     tab = 1;
     show_panel(session_, tabs[static_cast<std::size_t>(tab)].key);
   }
-  if (tab_row("bottom", tabs, brief, tab)) show_panel(session_, tabs[static_cast<std::size_t>(tab)].key);
-  if (tool(panel(session_.document().layout.bottom_tab), {})) fill_window(session_, "bottom");
+  if (tab_row(region_names::bottom, tabs, brief, tab)) show_panel(session_, tabs[static_cast<std::size_t>(tab)].key);
+  if (tool(panel(session_.document().layout.bottom_tab), {})) fill_window(session_, region_names::bottom);
   ImGui::EndChild();
   pictures({{area.max.x - width, area.min.y}, area.max}, 0, PictureCaptions::full);
 }
@@ -385,7 +385,7 @@ Area Regions::first_look(const Area& area) {
   return {{area.min.x, bottom}, area.max};
 }
 
-void Regions::panel_in(const Panel& panel, const std::string& region, const Area& area) {
+void Regions::panel_in(const Panel& panel, std::string_view region, const Area& area) {
   begin_region(session_, region, area, std::string(panel.heading));
   panel.draw({.filled = session_.document().layout.filled == region});
   ImGui::EndChild();
@@ -397,13 +397,13 @@ void Regions::left(const Area& area) {
     const float height = area.height(), grip = px(6);
     float divide = std::round(std::min(height * lesson_share_, height - px(least_options_height)));
     const Area upper{area.min, {area.max.x, area.min.y + divide}};
-    panel_in(panel("lesson"), "lesson", above_question(upper));
+    panel_in(panel(region_names::lesson), region_names::lesson, above_question(upper));
     if (divider("split/lesson", SplitterAxis::up_down, {area.min.x, area.min.y + divide}, area.width(), divide,
                 height * 0.2f, height * 0.8f))
       lesson_share_ = divide / height;
     options.min.y += divide + grip;
   }
-  panel_in(panel(my_.history.open ? "history" : "left"), "left", options);
+  panel_in(panel(my_.history.open ? "history" : region_names::left), region_names::left, options);
 }
 
 /// The pixel's story, or while it is folded the button that opens it.
@@ -417,8 +417,8 @@ void Regions::right(const Area& area, bool open) {
       show(true);
     return;
   }
-  begin_region(session_, "right", area);
-  const bool filled = session_.document().layout.filled == "right";
+  begin_region(session_, region_names::right, area);
+  const bool filled = session_.document().layout.filled == region_names::right;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (!filled) {
     ImGui::SetCursorScreenPos({area.max.x - button_width("›") - px(6), area.min.y + px(2)});
@@ -426,19 +426,20 @@ void Regions::right(const Area& area, bool open) {
       show(false);
     ImGui::SetCursorScreenPos(at);
   }
-  region_heading(session_, "right", std::string(panel("right").heading), filled ? 0 : button_width("›") + px(2));
-  panel("right").draw({.filled = filled});
+  region_heading(session_, region_names::right, std::string(panel(region_names::right).heading),
+                 filled ? 0 : button_width("›") + px(2));
+  panel(region_names::right).draw({.filled = filled});
   ImGui::EndChild();
 }
 
 void Regions::drawer(const Area& area) {
   const bool open = bottom_is_open(session_.document());
-  begin_region(session_, "bottom", area, {}, open ? RegionPadding::normal : RegionPadding::tight);
+  begin_region(session_, region_names::bottom, area, {}, open ? RegionPadding::normal : RegionPadding::tight);
   drawer_tabs(session_, panels_, my_.drawer);
   if (open) {
-    const bool filled = session_.document().layout.filled == "bottom";
+    const bool filled = session_.document().layout.filled == region_names::bottom;
     if (tool(panel(session_.document().layout.bottom_tab), {.filled = filled}))
-      fill_window(session_, filled ? "" : "bottom");
+      fill_window(session_, filled ? "" : region_names::bottom);
   }
   ImGui::EndChild();
 }

@@ -49,7 +49,7 @@ class Regions {
   void pictures(const Area& area, double least_share, PictureCaptions captions);
   Area first_look(const Area& area);
   /// A region with its heading, and the panel in it. `region` is its name in the document's layout.
-  void panel_in(const Panel& panel, const std::string& region, const Area& area);
+  void panel_in(const Panel& panel, std::string_view region, const Area& area);
   const Panel& panel(std::string_view name) const { return find_panel(panels_, name); }
   /// The tool of a lesson's stage.
   const Panel& staged() const;

@@ -4,16 +4,17 @@ namespace ps::gui {
 namespace {
 
 constexpr double opened_share = 0.3;  // of the window's height
-constexpr std::string_view below = "bottom";
 
 }  // namespace
 
-bool bottom_is_open(const Document& document) { return document.layout.filled == below || document.layout.bottom > 0; }
+bool bottom_is_open(const Document& document) {
+  return document.layout.filled == region_names::bottom || document.layout.bottom > 0;
+}
 
 void open_bottom(Session& session, bool open) {
   if (open == bottom_is_open(session.document())) return;
   session.navigate([&](Document& document) {
-    if (document.layout.filled == below) document.layout.filled.clear();
+    if (document.layout.filled == region_names::bottom) document.layout.filled.clear();
     document.layout.bottom = open ? opened_share : 0;
   });
 }
@@ -38,11 +39,11 @@ void show_panel(Session& session, std::string_view name) {
     session.navigate([&](Document& document) {
       document.layout.panels = true;
       document.layout.stage = name;
-      if (document.layout.filled != below) document.layout.filled.clear();
+      if (document.layout.filled != region_names::bottom) document.layout.filled.clear();
     });
     return;
   }
-  if (session.document().layout.filled != below) fill_window(session, {});
+  if (session.document().layout.filled != region_names::bottom) fill_window(session, {});
   if (session.document().mode != ScreenMode::study) open_bottom(session, true);
   session.navigate([&](Document& document) {
     document.layout.panels = true;
@@ -67,7 +68,7 @@ void make_room_for_study(Session& session) {
   if (session.document().mode == ScreenMode::explore) set_mode(session, ScreenMode::study);
 }
 
-void fill_window(Session& session, const std::string& region) {
+void fill_window(Session& session, std::string_view region) {
   session.navigate([&](Document& document) { document.layout.filled = region; });
 }
 

@@ -30,6 +30,6 @@ void open_bottom(Session& session, bool open);
 /// Whether it is open.
 bool bottom_is_open(const Document& document);
 /// Gives the window to one region; "" takes it back.
-void fill_window(Session& session, const std::string& region);
+void fill_window(Session& session, std::string_view region);
 
 }  // namespace ps::gui

@@ -159,7 +159,7 @@ void offer_session_values(Values& out, Session& session) {
   out.offer("pixel-panel", [&session] { return session.document().layout.pixel_open; });
   out.offer("mode", [&session] { return mode_key(session.document().mode); });
   out.offer("selected-event", [&session] { return session.selected_event(inspected_side(session)); });
-  out.offer("space/filled", [&session] { return session.document().layout.filled == "bottom"; });
+  out.offer("space/filled", [&session] { return session.document().layout.filled == region_names::bottom; });
 }
 
 }  // namespace ps::gui

@@ -182,7 +182,7 @@ bool toolbar(Session& session, VertexPanelState& state, bool filled) {
   if (button("space", "Show in space", Emphasis::plain,
              {.tooltip = "Keeps the vertex, and shows it in the view from outside.", .disabled = {}})) {
     keep(session, vertex);
-    session.navigate([](Document& document) { document.layout.bottom_tab = "space"; });
+    session.navigate([](Document& document) { document.layout.bottom_tab = tool_names::space; });
   }
   if (session.document().story.vertex_edits != VertexEdits{}) {
     same_line_if_room(button_width("Undo the edits"));
