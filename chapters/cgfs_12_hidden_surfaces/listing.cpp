@@ -31,7 +31,7 @@ bool is_back_face(const std::array<Vec3d, 3>& seen) {
   return !(facing > 0);
 }
 
-// sorted_by_height() and interpolate_sides() are the sort and the join of chapter 7.
+// sorted_by_height() and interpolate_edges() are the sort and the join of chapter 7.
 void draw_triangle(const BookScene& scene, BookCanvas& canvas, const std::array<Vec2d, 3>& projected,
                    const std::array<Vec3d, 3>& seen, const Vec3d& colour) {
   const auto order = sorted_by_height(projected);
@@ -39,16 +39,16 @@ void draw_triangle(const BookScene& scene, BookCanvas& canvas, const std::array<
   const std::array<double, 3> y{p[0].y, p[1].y, p[2].y};
 
   // 1/z changes evenly across the canvas, z does not.
-  const auto x = interpolate_sides<double>(y, {p[0].x, p[1].x, p[2].x});
+  const auto x = interpolate_edges<double>(y, {p[0].x, p[1].x, p[2].x});
   const auto inverse_z =
-      interpolate_sides<double>(y, {1 / seen[order[0]].z, 1 / seen[order[1]].z, 1 / seen[order[2]].z});
-  const std::size_t middle = x.long_side.size() / 2;
-  const bool long_is_left = x.long_side[middle] < x.short_sides[middle];
+      interpolate_edges<double>(y, {1 / seen[order[0]].z, 1 / seen[order[1]].z, 1 / seen[order[2]].z});
+  const std::size_t middle = x.long_edge.size() / 2;
+  const bool long_is_left = x.long_edge[middle] < x.short_edges[middle];
 
   for (double row = y[0]; row <= y[2]; ++row) {
     PS_REACHING("row", row);
-    const double a = std::trunc(entry(x.long_side, row, y[0])), b = std::trunc(entry(x.short_sides, row, y[0]));
-    const double z_a = entry(inverse_z.long_side, row, y[0]), z_b = entry(inverse_z.short_sides, row, y[0]);
+    const double a = std::trunc(entry(x.long_edge, row, y[0])), b = std::trunc(entry(x.short_edges, row, y[0]));
+    const double z_a = entry(inverse_z.long_edge, row, y[0]), z_b = entry(inverse_z.short_edges, row, y[0]);
     const double left = long_is_left ? a : b, right = long_is_left ? b : a;
     PS_WATCH("left, right", Vec2d(left, right));
     const auto z = long_is_left ? interpolate(left, z_a, right, z_b) : interpolate(left, z_b, right, z_a);

@@ -79,21 +79,21 @@ inline Vec3d blended(Blend blend, const Vec3d& below, const Vec3d& colour) {
   return colour;
 }
 
-/// Along both sides of a triangle whose vertices are at whole heights y0 <= y1 <= y2: the long side, and the two short
+/// Along the edges of a triangle whose vertices are at whole heights y0 <= y1 <= y2: the long edge, and the two short
 /// ones joined (CGFS ch. 7).
 template <class Value>
-struct TriangleSides {
-  std::vector<Value> long_side, short_sides;
+struct TriangleEdges {
+  std::vector<Value> long_edge, short_edges;
 };
 template <class Value>
-TriangleSides<Value> interpolate_sides(const std::array<double, 3>& y, const std::array<Value, 3>& value) {
-  TriangleSides<Value> sides;
-  sides.short_sides = interpolate(y[0], value[0], y[1], value[1]);
-  sides.short_sides.pop_back();  // the second side begins with it
+TriangleEdges<Value> interpolate_edges(const std::array<double, 3>& y, const std::array<Value, 3>& value) {
+  TriangleEdges<Value> edges;
+  edges.short_edges = interpolate(y[0], value[0], y[1], value[1]);
+  edges.short_edges.pop_back();  // the second edge begins with it
   const std::vector<Value> second = interpolate(y[1], value[1], y[2], value[2]);
-  sides.short_sides.insert(sides.short_sides.end(), second.begin(), second.end());
-  sides.long_side = interpolate(y[0], value[0], y[2], value[2]);
-  return sides;
+  edges.short_edges.insert(edges.short_edges.end(), second.begin(), second.end());
+  edges.long_edge = interpolate(y[0], value[0], y[2], value[2]);
+  return edges;
 }
 
 /// Indices of three vertices by height, from below. Equal heights keep their order.

@@ -57,7 +57,7 @@ void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour, Blen
   }
 }
 
-// Row by row, from the left side to the right one, both ends included.
+// Row by row, from the left edge to the right one, both ends included.
 void draw_filled_triangle(BookCanvas& canvas, Vec2d p0, Vec2d p1, Vec2d p2, const Vec3d& colour, Blend blend) {
   // Sorted by height, from below.
   if (p1.y < p0.y) std::swap(p1, p0);
@@ -67,7 +67,7 @@ void draw_filled_triangle(BookCanvas& canvas, Vec2d p0, Vec2d p1, Vec2d p2, cons
   PS_WATCH("middle vertex", p1);
   PS_WATCH("highest vertex", p2);
 
-  // x on each row. One side goes from the lowest vertex to the highest; the two others share the way.
+  // x on each row. One edge goes from the lowest vertex to the highest; the two others share the way.
   const std::vector<double> x02 = interpolate(p0.y, p0.x, p2.y, p2.x);
   std::vector<double> x012 = interpolate(p0.y, p0.x, p1.y, p1.x);
   const std::vector<double> x12 = interpolate(p1.y, p1.x, p2.y, p2.x);
@@ -78,7 +78,7 @@ void draw_filled_triangle(BookCanvas& canvas, Vec2d p0, Vec2d p1, Vec2d p2, cons
   // Which is left shows in the middle.
   const std::size_t middle = x02.size() / 2;
   const bool long_is_left = x02[middle] < x012[middle];
-  PS_WATCH("long side is left", long_is_left);
+  PS_WATCH("long edge is left", long_is_left);
   std::vector<double> x_left = x02, x_right = x012;
   if (!long_is_left) std::swap(x_left, x_right);
 

@@ -26,19 +26,19 @@ struct Vertex {
   double h = 1;
 };
 
-// The values of an attribute on each row, along both sides of the triangle.
-struct Sides {
+// The values of an attribute on each row, along the long edge of the triangle and along the two short ones.
+struct Edges {
   std::vector<double> x02, x012, h02, h012;
 };
 
 // interpolate() is that of chapter 6.
-Sides interpolate_along_sides(const Vertex& p0, const Vertex& p1, const Vertex& p2) {
+Edges interpolate_along_edges(const Vertex& p0, const Vertex& p1, const Vertex& p2) {
   auto x01 = interpolate(p0.y, p0.x, p1.y, p1.x);
   auto h01 = interpolate(p0.y, p0.h, p1.y, p1.h);
   const auto x12 = interpolate(p1.y, p1.x, p2.y, p2.x);
   const auto h12 = interpolate(p1.y, p1.h, p2.y, p2.h);
 
-  // Concatenate the short sides: the row of p1 is in both of them.
+  // Concatenate the short edges: the row of p1 is in both of them.
   x01.pop_back();
   x01.insert(x01.end(), x12.begin(), x12.end());
   h01.pop_back();
@@ -55,14 +55,14 @@ void draw_shaded_triangle(BookCanvas& canvas, Vertex p0, Vertex p1, Vertex p2, c
   PS_WATCH("h1", p1.h);
   PS_WATCH("h2", p2.h);
 
-  // x decides which side is the left one, and h follows.
-  Sides sides = interpolate_along_sides(p0, p1, p2);
-  const std::size_t m = sides.x012.size() / 2;
-  if (sides.x012[m] <= sides.x02[m]) {
-    std::swap(sides.x02, sides.x012);
-    std::swap(sides.h02, sides.h012);
+  // x decides which edge is the left one, and h follows.
+  Edges edges = interpolate_along_edges(p0, p1, p2);
+  const std::size_t m = edges.x012.size() / 2;
+  if (edges.x012[m] <= edges.x02[m]) {
+    std::swap(edges.x02, edges.x012);
+    std::swap(edges.h02, edges.h012);
   }
-  const auto &x_left = sides.x02, &x_right = sides.x012, &h_left = sides.h02, &h_right = sides.h012;
+  const auto &x_left = edges.x02, &x_right = edges.x012, &h_left = edges.h02, &h_right = edges.h012;
 
   for (double y = p0.y; y <= p2.y; ++y) {
     PS_REACHING("row", y);

@@ -73,7 +73,7 @@ double compute_illumination(const BookScene& scene, const Vec3d& point, const Ve
   return intensity;
 }
 
-// sorted_by_height() and interpolate_sides() are the sort and the join of chapter 7.
+// sorted_by_height() and interpolate_edges() are the sort and the join of chapter 7.
 void draw_triangle(const BookScene& scene, BookCanvas& canvas, const Seen& seen) {
   const auto order = sorted_by_height(seen.canvas);
   std::array<double, 3> y, columns, inverse_z;
@@ -102,17 +102,17 @@ void draw_triangle(const BookScene& scene, BookCanvas& canvas, const Seen& seen)
     }
   }
 
-  const auto x = interpolate_sides<double>(y, columns);
-  const auto z = interpolate_sides<double>(y, inverse_z);
-  const auto sides = interpolate_sides<Vec3d>(y, at_vertex);
-  const std::size_t middle = x.long_side.size() / 2;
-  const bool long_is_left = x.long_side[middle] < x.short_sides[middle];
+  const auto x = interpolate_edges<double>(y, columns);
+  const auto z = interpolate_edges<double>(y, inverse_z);
+  const auto edges = interpolate_edges<Vec3d>(y, at_vertex);
+  const std::size_t middle = x.long_edge.size() / 2;
+  const bool long_is_left = x.long_edge[middle] < x.short_edges[middle];
 
   for (double row = y[0]; row <= y[2]; ++row) {
     PS_REACHING("row", row);
-    const double a = std::trunc(entry(x.long_side, row, y[0])), b = std::trunc(entry(x.short_sides, row, y[0]));
-    const double z_a = entry(z.long_side, row, y[0]), z_b = entry(z.short_sides, row, y[0]);
-    const Vec3d value_a = entry(sides.long_side, row, y[0]), value_b = entry(sides.short_sides, row, y[0]);
+    const double a = std::trunc(entry(x.long_edge, row, y[0])), b = std::trunc(entry(x.short_edges, row, y[0]));
+    const double z_a = entry(z.long_edge, row, y[0]), z_b = entry(z.short_edges, row, y[0]);
+    const Vec3d value_a = entry(edges.long_edge, row, y[0]), value_b = entry(edges.short_edges, row, y[0]);
     const double left = long_is_left ? a : b, right = long_is_left ? b : a;
     PS_WATCH("left, right", Vec2d(left, right));
     const auto z_row = long_is_left ? interpolate(left, z_a, right, z_b) : interpolate(left, z_b, right, z_a);

@@ -87,7 +87,7 @@ Vec3d read_texel(const Texture& texture, const Vec2d& uv, bool demo_slips) {
   return texel_of(texture, static_cast<std::size_t>(index));
 }
 
-// sorted_by_height() and interpolate_sides() are the sort and the join of chapter 7.
+// sorted_by_height() and interpolate_edges() are the sort and the join of chapter 7.
 void draw_triangle(const BookScene& scene, BookCanvas& canvas, const Seen& seen) {
   const auto order = sorted_by_height(seen.canvas);
   const bool perspective = scene.settings.interpolation == Interpolation::perspective;
@@ -103,17 +103,17 @@ void draw_triangle(const BookScene& scene, BookCanvas& canvas, const Seen& seen)
     PS_WATCH("u/z, v/z, 1/z", uvz[k]);
     normals[k] = seen.normal[order[k]];
   }
-  const auto x = interpolate_sides<double>(y, columns);
-  const auto uvz_sides = interpolate_sides<Vec3d>(y, uvz);
-  const auto normal_sides = interpolate_sides<Vec3d>(y, normals);
-  const std::size_t middle = x.long_side.size() / 2;
-  const bool long_is_left = x.long_side[middle] < x.short_sides[middle];
+  const auto x = interpolate_edges<double>(y, columns);
+  const auto uvz_edges = interpolate_edges<Vec3d>(y, uvz);
+  const auto normal_edges = interpolate_edges<Vec3d>(y, normals);
+  const std::size_t middle = x.long_edge.size() / 2;
+  const bool long_is_left = x.long_edge[middle] < x.short_edges[middle];
 
   for (double row = y[0]; row <= y[2]; ++row) {
     PS_REACHING("row", row);
-    const double a = std::trunc(entry(x.long_side, row, y[0])), b = std::trunc(entry(x.short_sides, row, y[0]));
-    const Vec3d uvz_a = entry(uvz_sides.long_side, row, y[0]), uvz_b = entry(uvz_sides.short_sides, row, y[0]);
-    const Vec3d n_a = entry(normal_sides.long_side, row, y[0]), n_b = entry(normal_sides.short_sides, row, y[0]);
+    const double a = std::trunc(entry(x.long_edge, row, y[0])), b = std::trunc(entry(x.short_edges, row, y[0]));
+    const Vec3d uvz_a = entry(uvz_edges.long_edge, row, y[0]), uvz_b = entry(uvz_edges.short_edges, row, y[0]);
+    const Vec3d n_a = entry(normal_edges.long_edge, row, y[0]), n_b = entry(normal_edges.short_edges, row, y[0]);
     const double left = long_is_left ? a : b, right = long_is_left ? b : a;
     PS_WATCH("left, right", Vec2d(left, right));
     const auto uvz_row = long_is_left ? interpolate(left, uvz_a, right, uvz_b) : interpolate(left, uvz_b, right, uvz_a);
