@@ -34,11 +34,11 @@ ScreenMode parse_step_mode(const std::string& text) {
   return mode;
 }
 
-/// "story" is the stage that a step has if it names none.
+/// The pixel's story is the stage that a step has if it names none.
 std::string parse_stage(const std::string& text) {
-  if (text == "story") return {};
+  if (text == story_names::one) return {};
   std::vector<std::string_view> known(tool_names::all.begin(), tool_names::all.end());
-  known.insert(known.end(), {"story", pictures_stage});
+  known.insert(known.end(), {story_names::one, pictures_stage});
   if (std::find(known.begin(), known.end(), text) == known.end())
     throw InputError(fmt::format("stage: found '{}', expected {}", text, expected_word(text, known)));
   return text;

@@ -58,7 +58,7 @@ enum class ScreenMode { lesson, explore, study, presenter };
 struct Layout {
   double left = 0, right = 0, bottom = 0;     ///< bottom: 0 = folded
   bool panels = true;                         ///< false: only the pictures
-  std::string right_tab = "story";            ///< what of the pixel's stories is shown
+  std::string right_tab{story_names::one};    ///< one of story_names::all
   std::string bottom_tab{tool_names::space};  ///< one of tool_names::all
   bool pixel_open = false;                    ///< exploring: the panel with the pixel's story
   std::string stage;       ///< below the pictures of a lesson, one of tool_names::all; empty = the pixel's story

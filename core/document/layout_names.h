@@ -16,6 +16,14 @@ inline constexpr std::array all{chart, listing, microscope, needs, pixels, space
 
 }  // namespace ps::tool_names
 
+namespace ps::story_names {
+
+/// What of the pixel's stories is shown: that of the picked side, both, or the place where they part.
+inline constexpr std::string_view one = "story", both = "both", parting = "parting";
+inline constexpr std::array all{one, both, parting};
+
+}  // namespace ps::story_names
+
 namespace ps::region_names {
 
 /// The parts that can have the window for themselves: the options, the pixel's story, the tools, a lesson's text.

@@ -30,14 +30,14 @@ void show_story(Session& session, std::string_view tab) {
     document.layout.panels = true;
     document.layout.right_tab = tab;
   });
-  flash({tab == "parting" ? "pixel/side/parting" : "pixel/side/a"});
+  flash({tab == story_names::parting ? "pixel/side/parting" : "pixel/side/a"});
 }
 
 void show_linked_panel(Session& session, PanelStates& my, const std::string& name,
                        const std::function<void()>& show_options) {
   if (name == options_panel_name) return show_options();
-  if (name == story_panel_name) return show_story(session, "story");
-  if (name == parting_panel_name) return show_story(session, "parting");
+  if (name == story_panel_name) return show_story(session, story_names::one);
+  if (name == parting_panel_name) return show_story(session, story_names::parting);
   show_tool(session, my.lessons.column, name);
   flash({session.document().mode == ScreenMode::lesson ? "stage" : "bottom/" + name});
 }

@@ -28,8 +28,8 @@ float folded_height() { return ImGui::GetFrameHeight() + px(4); }
 
 // Below it the list of options would have no line of its own.
 constexpr double least_options_height = 280;
-constexpr float most_of_question = 0.65f;        // of the height of the text's column
-constexpr std::string_view story_key = "story";  // of the stage, for the panel on the right
+constexpr float most_of_question = 0.65f;                 // of the height of the text's column
+constexpr std::string_view story_key = story_names::one;  // of the stage, for the panel on the right
 
 // The lesson's text ends so far from its region's right end, which lies between it and the pictures.
 constexpr double text_margin = 12, text_overlap = 8;

@@ -204,28 +204,27 @@ void nothing_picked(Session& session) {
   ImGui::PopStyleColor();
 }
 
-/// What of the stories is shown: the keys of Layout::right_tab.
-enum class Shown { one, both, parting };  // one: that of the document's picked side
-constexpr std::array<std::string_view, 3> shown_keys{"story", "both", "parting"};
+/// What of the stories is shown, in the order of story_names::all.
+enum class Shown { one, both, parting };
 
 /// A key that this version does not know shows one story.
 Shown shown_now(const Document& document) {
-  const auto found = std::find(shown_keys.begin(), shown_keys.end(), document.layout.right_tab);
-  return found == shown_keys.end() ? Shown::one : static_cast<Shown>(found - shown_keys.begin());
+  const auto found = std::find(story_names::all.begin(), story_names::all.end(), document.layout.right_tab);
+  return found == story_names::all.end() ? Shown::one : static_cast<Shown>(found - story_names::all.begin());
 }
 
 /// A, B, both or where they part. Answers what is shown.
 Shown choose_shown(Session& session) {
   static constexpr std::array tabs{
       Choice{"a", "A", "The pixel in picture A."}, Choice{"b", "B", "The pixel in picture B."},
-      Choice{"both", "Both", "The stories of A and B together."},
-      Choice{"parting", "Parting", "The first step at which the two stories differ, and why."}};
+      Choice{story_names::both, "Both", "The stories of A and B together."},
+      Choice{story_names::parting, "Parting", "The first step at which the two stories differ, and why."}};
   const Shown before = shown_now(session.document());
   int tab = before == Shown::parting ? 3 : before == Shown::both ? 2 : session.document().picked == Side::a ? 0 : 1;
   if (!tab_row("side", tabs, tab)) return before;
   const Shown shown = tab == 3 ? Shown::parting : tab == 2 ? Shown::both : Shown::one;
   session.navigate([&](Document& document) {
-    document.layout.right_tab = shown_keys[static_cast<std::size_t>(shown)];
+    document.layout.right_tab = story_names::all[static_cast<std::size_t>(shown)];
     if (shown == Shown::one) document.picked = tab == 0 ? Side::a : Side::b;
   });
   return shown;
