@@ -16,7 +16,7 @@ namespace {
 
 std::vector<std::string_view> linked_panels() {
   std::vector<std::string_view> names(tool_names::all.begin(), tool_names::all.end());
-  names.insert(names.end(), {options_panel_name, story_panel_name, parting_panel_name});
+  names.insert(names.end(), {options_panel_name, story_names::one, story_names::parting});
   return names;
 }
 
@@ -80,7 +80,7 @@ TextLink link_of_name(std::string_view name) {
       return {LinkKind::option, std::string(option.key), 0, {}};
   for (const Option& option : option_table())
     if (in_lower_case(option.group) == wanted) return {LinkKind::option, std::string(option.key), 0, {}};
-  if (wanted == "pixel") return {LinkKind::panel, std::string(story_panel_name), 0, {}};
+  if (wanted == "pixel") return {LinkKind::panel, std::string(story_names::one), 0, {}};
   const auto panels = linked_panels();
   if (std::find(panels.begin(), panels.end(), wanted) != panels.end()) return {LinkKind::panel, wanted, 0, {}};
   return {};

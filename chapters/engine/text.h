@@ -48,10 +48,9 @@ std::string plain_text(const TextBlock& block);
 /// The formula of a block that is nothing but a formula on a line of its own; else nullptr.
 const Formula* display_formula(const TextBlock& block);
 
-/// The panels that a link can name beside those of tool_names::all: all options, the pixel's story, and in it the place
-/// where the stories of A and B part.
-inline constexpr std::string_view options_panel_name = "options", story_panel_name = story_names::one,
-                                  parting_panel_name = story_names::parting;
+/// Beside the tools a link can name this panel, with all options, the pixel's story (story_names::one) and in it the
+/// place where the stories of A and B part (story_names::parting).
+inline constexpr std::string_view options_panel_name = "options";
 
 /// "option:KEY", "panel:NAME", "step:N", "lesson:FOLDER" or "lesson:FOLDER/N", with N from 1, or "term:TERM". Throws an
 /// InputError without a place for anything else, or if there is no such option, panel, lesson or term.

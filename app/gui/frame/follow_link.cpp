@@ -36,8 +36,7 @@ void show_story(Session& session, std::string_view tab) {
 void show_linked_panel(Session& session, PanelStates& my, const std::string& name,
                        const std::function<void()>& show_options) {
   if (name == options_panel_name) return show_options();
-  if (name == story_panel_name) return show_story(session, story_names::one);
-  if (name == parting_panel_name) return show_story(session, story_names::parting);
+  if (name == story_names::one || name == story_names::parting) return show_story(session, name);
   show_tool(session, my.lessons.column, name);
   flash({session.document().mode == ScreenMode::lesson ? "stage" : "bottom/" + name});
 }

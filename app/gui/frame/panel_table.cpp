@@ -99,7 +99,7 @@ Panel options(Session& session, PanelStates& my) {
 }
 
 Panel history(Session& session, PanelStates& my) {
-  return {.name = "history",
+  return {.name = history_panel_name,
           .place = PanelPlace::left,
           .heading = "HISTORY",
           .brief = "History",

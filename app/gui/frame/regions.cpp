@@ -28,8 +28,7 @@ float folded_height() { return ImGui::GetFrameHeight() + px(4); }
 
 // Below it the list of options would have no line of its own.
 constexpr double least_options_height = 280;
-constexpr float most_of_question = 0.65f;                 // of the height of the text's column
-constexpr std::string_view story_key = story_names::one;  // of the stage, for the panel on the right
+constexpr float most_of_question = 0.65f;  // of the height of the text's column
 
 // The lesson's text ends so far from its region's right end, which lies between it and the pictures.
 constexpr double text_margin = 12, text_overlap = 8;
@@ -270,7 +269,7 @@ void Regions::fill_with_stage() {
 
 /// The tool of the stage, from a list. `shown`: not empty: is written in place of its name.
 void Regions::choose_stage(float width, std::string_view shown) {
-  std::vector<Choice> tools{{story_key, "PIXEL", "The story of the picked pixel."}};
+  std::vector<Choice> tools{{story_names::one, "PIXEL", "The story of the picked pixel."}};
   int index = 0;
   for (const Panel& each : panels_) {
     if (each.place != PanelPlace::below) continue;
@@ -403,7 +402,7 @@ void Regions::left(const Area& area) {
       lesson_share_ = divide / height;
     options.min.y += divide + grip;
   }
-  panel_in(panel(my_.history.open ? "history" : region_names::left), region_names::left, options);
+  panel_in(panel(my_.history.open ? history_panel_name : region_names::left), region_names::left, options);
 }
 
 /// The pixel's story, or while it is folded the button that opens it.

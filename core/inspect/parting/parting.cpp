@@ -11,9 +11,11 @@
 namespace ps {
 namespace {
 
+using parting::all_differences;
 using parting::because;
 using parting::Comparison;
 using parting::event_at;
+using parting::option_difference;
 using parting::ray_and_fragment_differ;
 
 Sighting top_sighting(const PixelStory& story, int eye) {
@@ -111,9 +113,11 @@ std::optional<Parting> part_at_canvas(const Comparison& c) {
   const auto times = [](std::size_t count) {
     return count == 0 ? std::string("not at all") : count == 1 ? "once" : fmt::format("{} times", count);
   };
+  std::string why = because(c, {"draw", "line-algorithm", "fill-rule", "canvas-fill", "backface-culling"});
+  if (const Option* option = parting::differing_in_what_is_seen(c); option && why.empty())
+    why = ": " + option_difference(c, option->key);
   return Parting{PartingCause::coverage,
-                 fmt::format("A draws over this pixel {}, B {}{}.", times(of_a.size()), times(of_b.size()),
-                             because(c, {"draw", "line-algorithm", "fill-rule", "subpixel-bits", "sample-position"})),
+                 fmt::format("A draws over this pixel {}, B {}{}.", times(of_a.size()), times(of_b.size()), why),
                  of_a.empty() ? last_event(c.a) : of_a.back(), of_b.empty() ? last_event(c.b) : of_b.back()};
 }
 
@@ -241,6 +245,9 @@ Parting find_parting(const Scene& scene, const StorySide& a, const StorySide& b)
   if (a.story.linear == b.story.linear && a.story.display == b.story.display)
     return {PartingCause::none, "Both stories end in exactly the same colour.", -1, -1};
   Parting parting = first_step(scene, a, b);
+  if (parting.cause == PartingCause::unexplained)
+    if (const std::string options = all_differences({scene, a, b}); !options.empty())
+      parting.sentence += " The options that differ: " + options + ".";
   if (planted_in(a) == planted_in(b)) return parting;
   return {PartingCause::planted_bug, planted_bug_text(a, b), parting.event_a, parting.event_b};
 }

@@ -51,8 +51,13 @@ std::optional<Parting> why_lost(const Comparison& c, const StorySide& won, const
                                 const StorySide& lost, std::string_view letter) {
   const FragmentFate fate = fate_of(lost.story, winner.id);
   const std::string name = primitive_name(c.scene, winner.id);
+  const Option* seen = differing_in_what_is_seen(c);
+  const bool only_triangles = !seen || seen->key == "tessellation" || c.both_fragments();
   const auto says = [&](PartingCause cause, const std::string& text, std::initializer_list<std::string_view> keys) {
-    Parting parting{cause, text + because(c, keys) + ".", winner.seen, fate.event};
+    std::string why = because(c, keys);
+    const bool by_place = cause == PartingCause::coverage || cause == PartingCause::visibility;
+    if (seen && why.empty() && by_place) why = ": " + option_difference(c, seen->key);
+    Parting parting{cause, text + why + ".", winner.seen, fate.event};
     if (&won == &c.b) std::swap(parting.event_a, parting.event_b);
     return parting;
   };
@@ -74,13 +79,15 @@ std::optional<Parting> why_lost(const Comparison& c, const StorySide& won, const
     case RejectReason::not_covered:
       break;
     }
-    if (is_tessellated(c.scene, winner.id) && !c.two_rasterizers())
+    const auto* fragment = event_at<FragmentEvent>(won.story, winner.seen);
+    const bool on_an_edge = (fragment && through_an_edge(fragment->edges)) || through_an_edge(reject->edges);
+    if (is_tessellated(c.scene, winner.id) && !c.two_rasterizers() && only_triangles &&
+        !(on_an_edge && differs(c, "fill-rule")))
       return says(
           PartingCause::tessellation,
           fmt::format("{} is drawn as triangles, and the triangles in {} do not reach this pixel", name, letter),
           {"tessellation"});
-    const auto* fragment = event_at<FragmentEvent>(won.story, winner.seen);
-    if ((fragment && through_an_edge(fragment->edges)) || through_an_edge(reject->edges))
+    if (on_an_edge)
       return says(PartingCause::fill_rule,
                   fmt::format("An edge of {} passes exactly through the sample, and the fill rule of {} gives the "
                               "sample to the neighbour",
@@ -103,9 +110,10 @@ std::optional<Parting> why_lost(const Comparison& c, const StorySide& won, const
         fragment->depth == FragmentEvent::Depth::failed
             ? fmt::format("{} fails the depth test in {}{}", name, letter, depth_against_text(*fragment))
             : fmt::format("{} is drawn in {} too, but painted over later", name, letter);
-    const bool by_order = differs(c, "visibility");
+    const bool by_order = !because(c, {"visibility", "depth-value"}).empty();
     const bool other_triangles = differs(c, "tessellation") || c.two_ways();
-    if (!by_order && other_triangles && (is_tessellated(c.scene, winner.id) || is_tessellated(c.scene, fate.winner)))
+    if (!by_order && other_triangles && only_triangles &&
+        (is_tessellated(c.scene, winner.id) || is_tessellated(c.scene, fate.winner)))
       return says(PartingCause::tessellation, text + "; curved surfaces are drawn there as triangles",
                   {"tessellation"});
     if (!by_order && fragment->depth == FragmentEvent::Depth::failed && nearly_tied(*fragment))
@@ -114,7 +122,8 @@ std::optional<Parting> why_lost(const Comparison& c, const StorySide& won, const
     if (!by_order && fate.tied_with_winner)
       return says(PartingCause::depth_tie, text + " by a triangle of nearly the same depth",
                   {"depth-bits", "depth-format", "depth-value", "depth-reversed", "precision"});
-    return says(PartingCause::visibility, text, {"visibility", "depth-value", "depth-bits", "depth-format"});
+    return says(PartingCause::visibility, text,
+                {"visibility", "depth-value", "depth-bits", "depth-format", "backface-culling"});
   }
   return std::nullopt;
 }
@@ -179,6 +188,13 @@ bool is_csg(const Scene& scene, const PixelId& id) {
          std::holds_alternative<Csg>(objects[static_cast<std::size_t>(id.object)].shape);
 }
 
+/// The cause where an option decides what a ray or a fragment shows.
+PartingCause cause_of_option(const Option& option) {
+  if (option.key == "near" || option.key == "far" || option.key == "clipping") return PartingCause::clipping;
+  if (option.group == "Camera" || option.group == "Sampling") return PartingCause::eye_ray;
+  return option.group == "Visibility" ? PartingCause::visibility : PartingCause::coverage;
+}
+
 }  // namespace
 
 Parting ray_and_fragment_differ(const Comparison& c, const Sighting& a, const Sighting& b) {
@@ -190,7 +206,9 @@ Parting ray_and_fragment_differ(const Comparison& c, const Sighting& a, const Si
   if (ray.id.object >= 0) {
     const StorySide& traced = ray_is_a ? c.a : c.b;
     const auto found = why_lost(c, traced, ray, raster, letter);
-    if (found && found->cause != PartingCause::coverage && found->cause != PartingCause::fill_rule) return *found;
+    const bool by_rule = found && found->cause == PartingCause::fill_rule && differs(c, "fill-rule");
+    if (by_rule || (found && found->cause != PartingCause::coverage && found->cause != PartingCause::fill_rule))
+      return *found;
   }
   const auto says = [&](PartingCause cause, const std::string& text) { return Parting{cause, text, a.seen, b.seen}; };
   const std::string saw = fmt::format("The ray of {} hits {}, and {} shows {}", ray_is_a ? "A" : "B",
@@ -198,6 +216,10 @@ Parting ray_and_fragment_differ(const Comparison& c, const Sighting& a, const Si
   if (is_csg(c.scene, ray.id))
     return says(PartingCause::tessellation,
                 saw + ": renderers of triangles leave out CSG objects, whose surfaces are only computed per ray.");
+  // Which of an option and the outline of a surface it was cannot be seen in the events.
+  if (const Option* option = differing_in_what_is_seen(c); option && option->key != "tessellation")
+    return says(cause_of_option(*option), fmt::format("{}: {}, unless an outline passes within this pixel.", saw,
+                                                      option_difference(c, option->key)));
   if (is_tessellated(c.scene, ray.id) || is_tessellated(c.scene, drawn.id))
     return says(
         PartingCause::tessellation,

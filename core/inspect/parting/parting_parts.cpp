@@ -56,4 +56,39 @@ std::string because(const Comparison& c, std::initializer_list<std::string_view>
   return {};
 }
 
+bool acts_on(const Comparison& c, const StorySide& side, std::string_view key) {
+  const Option* option = find_option(key);
+  PS_ASSERT(option, "causes name options by their keys");
+  const SceneTraits traits = scene_traits(c.scene);
+  return !inactive_reason(*option, side.settings, traits) && !inactive_value_reason(*option, side.settings, traits);
+}
+
+namespace {
+
+/// May this option make the difference? The renderer itself is spoken of by the steps.
+bool may_part(const Comparison& c, const Option& option) {
+  if (option.effect != OptionEffect::picture || option.group == "Renderer" || !differs(c, option.key)) return false;
+  return acts_on(c, c.a, option.key) || acts_on(c, c.b, option.key);
+}
+
+}  // namespace
+
+const Option* differing_option(const Comparison& c, std::initializer_list<std::string_view> groups) {
+  for (const Option& option : option_table())
+    if (std::find(groups.begin(), groups.end(), option.group) != groups.end() && may_part(c, option)) return &option;
+  return nullptr;
+}
+
+const Option* differing_in_what_is_seen(const Comparison& c) {
+  if (c.with_listing()) return nullptr;
+  return differing_option(c, {"Camera", "Sampling", "Visibility", "Drawing"});
+}
+
+std::string all_differences(const Comparison& c) {
+  std::string text;
+  for (const Option& option : option_table())
+    if (may_part(c, option)) text += (text.empty() ? "" : ", ") + option_difference(c, option.key);
+  return text;
+}
+
 }  // namespace ps::parting

@@ -6,6 +6,7 @@
 
 #include "inspect/parting/parting.h"
 #include "inspect/parting/sighting.h"
+#include "options/option.h"
 #include "options/renderer_kind.h"
 
 namespace ps::parting {
@@ -43,6 +44,16 @@ bool differs(const Comparison& c, std::string_view key);
 std::string option_difference(const Comparison& c, std::string_view key);
 /// The same for the first of `keys` that differs, after ": "; nothing if none does.
 std::string because(const Comparison& c, std::initializer_list<std::string_view> keys);
+/// The first option of these groups of the table that changes pictures, differs and can act in A or in B, else nullptr.
+/// What two renderers do differently is no cause where such an option differs.
+const Option* differing_option(const Comparison& c, std::initializer_list<std::string_view> groups);
+/// That of the options that decide what is seen: those of the camera, of samples, visibility and drawing. Nullptr
+/// beside a listing, which has rules of its own for them.
+const Option* differing_in_what_is_seen(const Comparison& c);
+/// All options that change pictures, differ and can act in A or in B: "draw is filled in A and points in B, ...".
+std::string all_differences(const Comparison& c);
+/// Has the option a value with which this side acts on it?
+bool acts_on(const Comparison& c, const StorySide& side, std::string_view key);
 
 /// The steps, each in a file of its own; nothing if that step does not part the stories.
 std::optional<Parting> part_at_winner(const Comparison& c, const Sighting& a, const Sighting& b);

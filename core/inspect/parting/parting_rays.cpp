@@ -57,6 +57,9 @@ bool is_no_sphere(const Scene& scene, const PixelId& id) {
          !std::holds_alternative<Sphere>(objects[static_cast<std::size_t>(id.object)].shape);
 }
 
+/// Embree tests triangles with arithmetic of its own.
+bool uses_embree(const StorySide& side) { return side.settings.accelerator == Accelerator::embree; }
+
 constexpr std::string_view epsilon_keys[] = {"self-hit", "shadow-epsilon", "reflection-epsilon", "epsilon-unit"};
 
 }  // namespace
@@ -118,12 +121,12 @@ Parting rays_saw_different_things(const Comparison& c, const Sighting& a, const 
   case TestOutcome::tie_lost:
     break;
   }
-  const bool arithmetic = differs(c, "precision") || differs(c, "sphere-test") || differs(c, "triangle-test") ||
-                          differs(c, "triangle-epsilon");
+  const bool arithmetic = differs(c, "precision") || uses_embree(c.a) != uses_embree(c.b) ||
+                          differs(c, "sphere-test") || differs(c, "triangle-test") || differs(c, "triangle-epsilon");
   return says(arithmetic ? PartingCause::precision : PartingCause::unexplained,
               fmt::format("{}: the test of {} reports \"{}\" in {}", saw, primitive_name(c.scene, winner.id),
                           outcome_text(*tested.outcome), loser),
-              {"precision", "sphere-test", "triangle-test", "triangle-epsilon"});
+              {"precision", "sphere-test", "triangle-test", "triangle-epsilon", "accelerator"});
 }
 
 }  // namespace ps::parting

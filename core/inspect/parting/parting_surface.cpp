@@ -40,6 +40,12 @@ Parting light_differs(const Comparison& c, int event_a, int event_b, const Sight
     return says(PartingCause::light_model, because(c, {*key}));
   if (differs(c, "interpolation")) return says(PartingCause::interpolation, because(c, {"interpolation"}));
   if (differs(c, "precision")) return says(PartingCause::precision, because(c, {"precision"}));
+  if (const Option* option = differing_option(c, {"Shading"}))
+    return says(PartingCause::light_model, ": " + option_difference(c, option->key));
+  if (c.two_ways() && !because(c, {"tessellation"}).empty())
+    return says(PartingCause::tessellation, because(c, {"tessellation"}));
+  if (const Option* option = differing_in_what_is_seen(c))
+    return says(PartingCause::shading_position, ": " + option_difference(c, option->key));
   if (c.two_rasterizers())
     return says(PartingCause::interpolation, ": the two renderers interpolate with arithmetic of their own");
   if (c.two_ways()) {
@@ -50,6 +56,13 @@ Parting light_differs(const Comparison& c, int event_a, int event_b, const Sight
     return says(PartingCause::shading_position, ": ray and fragment shade slightly different points");
   }
   return says(PartingCause::unexplained, ", unexplained");
+}
+
+/// An option that decides whether a light reaches the point, or which point it is.
+const Option* differing_for_shadows(const Comparison& c) {
+  if (const Option* option = differing_option(c, {"Shadows"})) return option;
+  if (const Option* option = differing_in_what_is_seen(c)) return option;
+  return differing_option(c, {"Shading"});
 }
 
 std::optional<Parting> part_at_blocker(const Comparison& c, int index_a, int index_b) {
@@ -67,8 +80,13 @@ std::optional<Parting> part_at_blocker(const Comparison& c, int index_a, int ind
     return Parting{cause, text + why + ".", index_a, index_b};
   };
   if (differs(c, "shadows")) return says(PartingCause::missing_shadow, because(c, {"shadows"}));
-  if (c.a.story.renderer != c.b.story.renderer)
-    return says(PartingCause::missing_shadow, ": only one of the two renderers computes shadows");
+  if (c.a.story.renderer != c.b.story.renderer) {
+    if (c.with_listing() || !acts_on(c, c.a, "shadows") || !acts_on(c, c.b, "shadows"))
+      return says(PartingCause::missing_shadow, ": only one of the two renderers computes shadows");
+    if (const Option* option = differing_for_shadows(c))
+      return says(PartingCause::missing_shadow, ": " + option_difference(c, option->key));
+    return says(PartingCause::missing_shadow, ": the renderers compute shadows with different algorithms");
+  }
   if (const auto key = first_differing(c, {"self-hit", "shadow-epsilon", "epsilon-unit"}))
     return says(PartingCause::epsilon, because(c, {*key}));
   if (const auto key = first_differing(c, {"precision", "sphere-test", "triangle-test", "triangle-epsilon"}))
@@ -94,6 +112,8 @@ std::optional<Parting> part_at_shadow(const Comparison& c, int index_a, int inde
           first_differing(c, {"shadows", "volume-caps", "volume-length", "volume-depth-clamp", "stencil-bits",
                               "shadow-map-size", "shadow-bias", "shadow-slope-bias", "shadow-filter", "near", "far"}))
     return says(PartingCause::missing_shadow, because(c, {*key}));
+  if (const Option* option = differing_for_shadows(c))
+    return says(PartingCause::missing_shadow, ": " + option_difference(c, option->key));
   if (c.two_rasterizers()) return says(PartingCause::missing_shadow, ": the two renderers round differently");
   if (c.two_ways())
     return says(PartingCause::missing_shadow, ": the renderers compute shadows with different algorithms");
@@ -126,10 +146,14 @@ std::optional<Parting> part_at_texture(const Comparison& c, const Sighting& a, c
                 (texels_known ? fmt::format("A blends {} texels and B {}", read_a.texels.size(), read_b.texels.size())
                               : std::string("A and B filter the texture differently")) +
                     because(c, {"texture-filter", "texture-wrap", "anisotropy"}));
-  if (!c.same(read_a.level, read_b.level))
-    return says(PartingCause::level, fmt::format("A reads mip level {} and B level {}", number_text(read_a.level),
-                                                 number_text(read_b.level)) +
-                                         because(c, {"mip-bias", "renderer"}));
+  const Option* seen = differing_in_what_is_seen(c);
+  if (!c.same(read_a.level, read_b.level)) {
+    std::string why = because(c, {"mip-bias", "renderer"});
+    if (why.empty() && seen) why = ": " + option_difference(c, seen->key);
+    return says(
+        PartingCause::level,
+        fmt::format("A reads mip level {} and B level {}", number_text(read_a.level), number_text(read_b.level)) + why);
+  }
   if (differs(c, "precision"))
     return says(PartingCause::precision, "The texels' weights differ" + because(c, {"precision"}));
   if (!texels_known)
@@ -137,7 +161,12 @@ std::optional<Parting> part_at_texture(const Comparison& c, const Sighting& a, c
         PartingCause::filter,
         fmt::format("The texture is {} in A and {} in B: the two renderers filter it with arithmetic of their own",
                     vector_text(read_a.result), vector_text(read_b.result)));
-  if (!same_texels(c, read_a, read_b)) return says(PartingCause::filter, "A and B read different texels");
+  if (!same_texels(c, read_a, read_b)) {
+    const Option* option = differing_option(c, {"Textures"});
+    if (!option) option = seen;
+    return says(PartingCause::filter,
+                "A and B read different texels" + (option ? ": " + option_difference(c, option->key) : ""));
+  }
   return says(PartingCause::unexplained, "Unexplained: the same texels give different colours");
 }
 
