@@ -113,7 +113,8 @@ std::optional<Parting> part_at_canvas(const Comparison& c) {
   const auto times = [](std::size_t count) {
     return count == 0 ? std::string("not at all") : count == 1 ? "once" : fmt::format("{} times", count);
   };
-  std::string why = because(c, {"draw", "line-algorithm", "fill-rule", "canvas-fill", "backface-culling"});
+  std::string why = because(c, {"draw", "line-algorithm", "fill-rule", "canvas-fill", "backface-culling",
+                                "subpixel-bits", "sample-position"});
   if (const Option* option = parting::differing_in_what_is_seen(c); option && why.empty())
     why = ": " + option_difference(c, option->key);
   return Parting{PartingCause::coverage,
