@@ -15,7 +15,6 @@ using parting::all_differences;
 using parting::because;
 using parting::Comparison;
 using parting::event_at;
-using parting::option_difference;
 using parting::ray_and_fragment_differ;
 
 Sighting top_sighting(const PixelStory& story, int eye) {
@@ -115,8 +114,7 @@ std::optional<Parting> part_at_canvas(const Comparison& c) {
   };
   std::string why = because(c, {"draw", "line-algorithm", "fill-rule", "canvas-fill", "backface-culling",
                                 "subpixel-bits", "sample-position"});
-  if (const Option* option = parting::differing_in_what_is_seen(c); option && why.empty())
-    why = ": " + option_difference(c, option->key);
+  if (why.empty()) why = because(c, parting::differing_in_what_is_seen(c));
   return Parting{PartingCause::coverage,
                  fmt::format("A draws over this pixel {}, B {}{}.", times(of_a.size()), times(of_b.size()), why),
                  of_a.empty() ? last_event(c.a) : of_a.back(), of_b.empty() ? last_event(c.b) : of_b.back()};

@@ -56,7 +56,7 @@ std::optional<Parting> why_lost(const Comparison& c, const StorySide& won, const
   const auto says = [&](PartingCause cause, const std::string& text, std::initializer_list<std::string_view> keys) {
     std::string why = because(c, keys);
     const bool by_place = cause == PartingCause::coverage || cause == PartingCause::visibility;
-    if (seen && why.empty() && by_place) why = ": " + option_difference(c, seen->key);
+    if (why.empty() && by_place) why = because(c, seen);
     Parting parting{cause, text + why + ".", winner.seen, fate.event};
     if (&won == &c.b) std::swap(parting.event_a, parting.event_b);
     return parting;
@@ -218,8 +218,7 @@ Parting ray_and_fragment_differ(const Comparison& c, const Sighting& a, const Si
                 saw + ": renderers of triangles leave out CSG objects, whose surfaces are only computed per ray.");
   // Which of an option and the outline of a surface it was cannot be seen in the events.
   if (const Option* option = differing_in_what_is_seen(c); option && option->key != "tessellation")
-    return says(cause_of_option(*option), fmt::format("{}: {}, unless an outline passes within this pixel.", saw,
-                                                      option_difference(c, option->key)));
+    return says(cause_of_option(*option), saw + because(c, option) + ", unless an outline passes within this pixel.");
   if (is_tessellated(c.scene, ray.id) || is_tessellated(c.scene, drawn.id))
     return says(
         PartingCause::tessellation,

@@ -56,6 +56,10 @@ std::string because(const Comparison& c, std::initializer_list<std::string_view>
   return {};
 }
 
+std::string because(const Comparison& c, const Option* option) {
+  return option ? ": " + option_difference(c, option->key) : "";
+}
+
 bool acts_on(const Comparison& c, const StorySide& side, std::string_view key) {
   const Option* option = find_option(key);
   PS_ASSERT(option, "causes name options by their keys");

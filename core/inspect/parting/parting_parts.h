@@ -44,6 +44,8 @@ bool differs(const Comparison& c, std::string_view key);
 std::string option_difference(const Comparison& c, std::string_view key);
 /// The same for the first of `keys` that differs, after ": "; nothing if none does.
 std::string because(const Comparison& c, std::initializer_list<std::string_view> keys);
+/// ": " and the difference of this option; nothing for nullptr.
+std::string because(const Comparison& c, const Option* option);
 /// The first option of these groups of the table that changes pictures, differs and can act in A or in B, else nullptr.
 /// What two renderers do differently is no cause where such an option differs.
 const Option* differing_option(const Comparison& c, std::initializer_list<std::string_view> groups);

@@ -41,11 +41,11 @@ Parting light_differs(const Comparison& c, int event_a, int event_b, const Sight
   if (differs(c, "interpolation")) return says(PartingCause::interpolation, because(c, {"interpolation"}));
   if (differs(c, "precision")) return says(PartingCause::precision, because(c, {"precision"}));
   if (const Option* option = differing_option(c, {"Shading"}))
-    return says(PartingCause::light_model, ": " + option_difference(c, option->key));
+    return says(PartingCause::light_model, because(c, option));
   if (c.two_ways() && !because(c, {"tessellation"}).empty())
     return says(PartingCause::tessellation, because(c, {"tessellation"}));
   if (const Option* option = differing_in_what_is_seen(c))
-    return says(PartingCause::shading_position, ": " + option_difference(c, option->key));
+    return says(PartingCause::shading_position, because(c, option));
   if (c.two_rasterizers())
     return says(PartingCause::interpolation, ": the two renderers interpolate with arithmetic of their own");
   if (c.two_ways()) {
@@ -83,8 +83,7 @@ std::optional<Parting> part_at_blocker(const Comparison& c, int index_a, int ind
   if (c.a.story.renderer != c.b.story.renderer) {
     if (c.with_listing() || !acts_on(c, c.a, "shadows") || !acts_on(c, c.b, "shadows"))
       return says(PartingCause::missing_shadow, ": only one of the two renderers computes shadows");
-    if (const Option* option = differing_for_shadows(c))
-      return says(PartingCause::missing_shadow, ": " + option_difference(c, option->key));
+    if (const Option* option = differing_for_shadows(c)) return says(PartingCause::missing_shadow, because(c, option));
     return says(PartingCause::missing_shadow, ": the renderers compute shadows with different algorithms");
   }
   if (const auto key = first_differing(c, {"self-hit", "shadow-epsilon", "epsilon-unit"}))
@@ -112,8 +111,7 @@ std::optional<Parting> part_at_shadow(const Comparison& c, int index_a, int inde
           first_differing(c, {"shadows", "volume-caps", "volume-length", "volume-depth-clamp", "stencil-bits",
                               "shadow-map-size", "shadow-bias", "shadow-slope-bias", "shadow-filter", "near", "far"}))
     return says(PartingCause::missing_shadow, because(c, {*key}));
-  if (const Option* option = differing_for_shadows(c))
-    return says(PartingCause::missing_shadow, ": " + option_difference(c, option->key));
+  if (const Option* option = differing_for_shadows(c)) return says(PartingCause::missing_shadow, because(c, option));
   if (c.two_rasterizers()) return says(PartingCause::missing_shadow, ": the two renderers round differently");
   if (c.two_ways())
     return says(PartingCause::missing_shadow, ": the renderers compute shadows with different algorithms");
@@ -149,7 +147,7 @@ std::optional<Parting> part_at_texture(const Comparison& c, const Sighting& a, c
   const Option* seen = differing_in_what_is_seen(c);
   if (!c.same(read_a.level, read_b.level)) {
     std::string why = because(c, {"mip-bias", "renderer"});
-    if (why.empty() && seen) why = ": " + option_difference(c, seen->key);
+    if (why.empty()) why = because(c, seen);
     return says(
         PartingCause::level,
         fmt::format("A reads mip level {} and B level {}", number_text(read_a.level), number_text(read_b.level)) + why);
@@ -164,8 +162,7 @@ std::optional<Parting> part_at_texture(const Comparison& c, const Sighting& a, c
   if (!same_texels(c, read_a, read_b)) {
     const Option* option = differing_option(c, {"Textures"});
     if (!option) option = seen;
-    return says(PartingCause::filter,
-                "A and B read different texels" + (option ? ": " + option_difference(c, option->key) : ""));
+    return says(PartingCause::filter, "A and B read different texels" + because(c, option));
   }
   return says(PartingCause::unexplained, "Unexplained: the same texels give different colours");
 }
