@@ -86,7 +86,7 @@ TEST(EveryOption, ActsThroughItsControlAndIsUndone) {
     std::string arguments = fmt::format("{} --size {}x{}", contexts[i].scene, width, height);
     for (const auto& assignment : contexts[i].assignments) arguments += " --set " + assignment;
     const auto folder = fresh_output_folder(fmt::format("gui-every-option-{}", i));
-    const auto result = test::play("wait idle\n" + sessions[i], folder, "1024x768", arguments);
+    const auto result = test::play("draw off\nwait idle\n" + sessions[i], folder, "1024x768", arguments);
     EXPECT_EQ(result.status, 0) << arguments << '\n' << result.errors;
     EXPECT_EQ(result.errors, "");
   }
