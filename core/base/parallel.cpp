@@ -69,8 +69,10 @@ class Helper {
  private:
   enum class State : int { idle, working, ending };
 
+  /// Sequentially consistent, since notify_all() wakes nobody if it sees nobody wait: with a weaker order the processor
+  /// may look for them before others see the new state, and who begins to wait just then would wait for ever.
   void change(State to) {
-    state_.store(to, std::memory_order_release);
+    state_.store(to, std::memory_order_seq_cst);
     state_.notify_all();
   }
   /// The state after `now`. Looks for it a few microseconds long, which is shorter than to fall asleep and wake up.
