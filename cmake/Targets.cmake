@@ -62,28 +62,35 @@ function(ps_include name scope)
   endif()
 endfunction()
 
-# ps_unity(TARGET...): compiles the files of a folder together, sixteen at a time, in a third of the time; the listings of
-# all lessons count as one folder. So names within a folder are unique, or lie in namespaces of their own. A file that
-# Highway compiles once per SIMD target stays alone; so does, by CMake's own rule, a file with flags or definitions
-# of its own.
+# ps_unity(TARGET...): compiles the files of a folder together, 32 at a time, in a quarter of the time. A folder is one of
+# the second level with all below it (core/raster, app/gui); the listings of all lessons count as one, and so do all files
+# of a target that has no more than 32. So names within such a folder are unique, or lie in namespaces of their own. A
+# file that Highway compiles once per SIMD target stays alone; so does, by CMake's own rule, a file with flags or
+# definitions of its own.
 function(ps_unity)
+  set(together 32)
   foreach(target ${ARGN})
     if(TARGET ${target})
       set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
       get_target_property(sources ${target} SOURCES)
+      list(LENGTH sources count)
       foreach(source ${sources})
+        cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
         file(STRINGS ${source} per_target REGEX "hwy/foreach_target.h" LIMIT_COUNT 1)
         if(per_target)
           continue()
         endif()
         cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${CMAKE_SOURCE_DIR} OUTPUT_VARIABLE place)
-        get_filename_component(folder ${place} DIRECTORY)
+        string(REGEX REPLACE "^([^/]*/[^/]*)/.*" "\\1" folder ${place})
         string(REGEX REPLACE "^chapters/.*" "listings" folder ${folder})
+        if(count LESS_EQUAL together)
+          set(folder all)
+        endif()
         string(MAKE_C_IDENTIFIER ${folder} folder)
         if(NOT DEFINED members_${target}_${folder})
           set(members_${target}_${folder} 0)
         endif()
-        math(EXPR group "${members_${target}_${folder}} / 16")
+        math(EXPR group "${members_${target}_${folder}} / ${together}")
         math(EXPR members_${target}_${folder} "${members_${target}_${folder}} + 1")
         set_property(SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY UNITY_GROUP ${folder}_${group})
       endforeach()

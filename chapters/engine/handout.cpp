@@ -17,7 +17,7 @@
 namespace ps {
 namespace {
 
-constexpr std::string_view style =
+constexpr std::string_view style_sheet =
     "body{font:16px/1.5 Georgia,serif;max-width:46em;margin:2em auto;padding:0 1em;color:#111}"
     "h1,h2,h3,figcaption,table,.question{font-family:Helvetica,Arial,sans-serif}"
     ".source,figcaption,footer,.link{color:#555;font-size:85%}"
@@ -41,7 +41,7 @@ std::string page(const std::string& title, const std::string& body) {
       "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\"><head><meta charset=\"utf-8\"/>"
       "<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>{}</title>\n<style>{}</style></head>\n<body>\n"
       "{}<footer><p>{}</p></footer>\n</body></html>\n",
-      xml_escaped(title), style, body, facts);
+      xml_escaped(title), style_sheet, body, facts);
 }
 
 Image<Rgb8> picture_of(const Document& document, Side side, Prepared& prepared, Progress& progress) {

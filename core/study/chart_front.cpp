@@ -9,10 +9,10 @@
 namespace ps {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 double as_rmse(double psnr) { return std::pow(10.0, -psnr / 20); }
-double as_psnr(double rmse) { return rmse > 0 ? -20 * std::log10(rmse) : infinite; }
+double as_psnr(double rmse) { return rmse > 0 ? -20 * std::log10(rmse) : unbounded; }
 
 bool times_known(const Chart& chart, const ChartPoint& point) {
   return chart.across == ChartAcross::work || static_cast<int>(point.samples_ms.size()) >= least_runs_for_quartiles;
@@ -96,11 +96,11 @@ std::vector<FrontBandPart> front_band(const Chart& chart) {
   }
   std::sort(costs.begin(), costs.end());
   costs.erase(std::unique(costs.begin(), costs.end()), costs.end());
-  const double nothing_yet = error_metric(chart.metric).higher_is_better ? -infinite : infinite;
+  const double nothing_yet = error_metric(chart.metric).higher_is_better ? -unbounded : unbounded;
   const auto better = [&](double a, double b) { return better_error(chart.metric, a, b); };
   std::vector<FrontBandPart> parts;
   for (std::size_t i = 0; i < costs.size(); ++i) {
-    FrontBandPart part{costs[i], i + 1 < costs.size() ? costs[i + 1] : infinite, {nothing_yet, nothing_yet}};
+    FrontBandPart part{costs[i], i + 1 < costs.size() ? costs[i + 1] : unbounded, {nothing_yet, nothing_yet}};
     for (const Corner& corner : corners) {
       if (corner.cost.q1 <= costs[i] && better(corner.error.best, part.error.best)) part.error.best = corner.error.best;
       if (corner.cost.q3 <= costs[i] && better(corner.error.worst, part.error.worst))

@@ -7,7 +7,7 @@
 namespace ps::gui {
 namespace {
 
-struct Named {
+struct NamedColour {
   const char* name;
   ImVec4 colour;
 };
@@ -18,10 +18,10 @@ ImVec4 over(const ImVec4& colour, const ImVec4& ground) {
   return {mix(colour.x, ground.x), mix(colour.y, ground.y), mix(colour.z, ground.z), 1};
 }
 
-void check(const std::vector<Named>& inks, const std::vector<Named>& grounds, double needed, const ImVec4& below,
-           std::vector<std::string>& faults) {
-  for (const Named& ground : grounds)
-    for (const Named& ink : inks) {
+void check(const std::vector<NamedColour>& inks, const std::vector<NamedColour>& grounds, double needed,
+           const ImVec4& below, std::vector<std::string>& faults) {
+  for (const NamedColour& ground : grounds)
+    for (const NamedColour& ink : inks) {
       const ImVec4 solid = over(ground.colour, below);
       const double found = contrast(over(ink.colour, solid), solid);
       if (!(found >= needed))
@@ -33,12 +33,12 @@ void check(const std::vector<Named>& inks, const std::vector<Named>& grounds, do
 
 std::vector<std::string> contrast_faults(const Palette& p) {
   std::vector<std::string> faults;
-  const std::vector<Named> grounds{{"window", p.window},
-                                   {"panel", p.panel},
-                                   {"field", p.field},
-                                   {"field_hover", p.field_hover},
-                                   {"field_active", p.field_active},
-                                   {"selection", p.selection}};
+  const std::vector<NamedColour> grounds{{"window", p.window},
+                                         {"panel", p.panel},
+                                         {"field", p.field},
+                                         {"field_hover", p.field_hover},
+                                         {"field_active", p.field_active},
+                                         {"selection", p.selection}};
   check({{"text", p.text}, {"text_quiet", p.text_quiet}, {"text_disabled", p.text_disabled}}, grounds, text_contrast,
         p.panel, faults);
   // Rings of `attention`, as around what a link leads to, lie between two lines of `text`.
@@ -57,7 +57,7 @@ std::vector<std::string> contrast_faults(const Palette& p) {
 
   ImVec4 colours[ImGuiCol_COUNT];
   apply_colours(p, colours);
-  std::vector<Named> imgui_grounds;
+  std::vector<NamedColour> imgui_grounds;
   for (const ImGuiCol ground :
        {ImGuiCol_WindowBg,       ImGuiCol_ChildBg,       ImGuiCol_PopupBg,      ImGuiCol_FrameBg,
         ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive, ImGuiCol_TitleBg,      ImGuiCol_MenuBarBg,

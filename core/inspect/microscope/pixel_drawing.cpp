@@ -8,8 +8,8 @@
 namespace ps {
 namespace {
 
-constexpr int most_grid_lines = 16;   // in a pixel
-constexpr double mark_length = 0.04;  // of an owner's mark, in pixels
+constexpr int most_subpixel_lines = 16;  // in a pixel
+constexpr double mark_length = 0.04;     // of an owner's mark, in pixels
 constexpr double mark_spacing = 0.055;
 constexpr double name_room = 0.12;  // that a name leaves around the centre of the pixel
 
@@ -28,7 +28,7 @@ void add_cross_lines(MicroDrawing& drawing, MicroKind kind, double at) {
 
 void add_grids(MicroDrawing& drawing, int subpixel_bits) {
   const int lines = 1 << std::min(subpixel_bits, 4);
-  static_assert(most_grid_lines == 1 << 4);
+  static_assert(most_subpixel_lines == 1 << 4);
   for (int i = -lines / 4; i <= lines + lines / 4; ++i)
     if (i != 0 && i != lines) add_cross_lines(drawing, MicroKind::grid, static_cast<double>(i) / lines);
 }

@@ -15,7 +15,7 @@
 namespace ps::bench {
 namespace {
 
-struct Sides {
+struct GlSides {
   Scene scene;
   View view;
   Settings settings;
@@ -37,7 +37,7 @@ Job picture_job(Scene scene, const View& view, Settings settings, int tolerance,
   settings.renderer = Renderer::rasterizer;
   settings.threads = 2;
   settings.near = 0.01;
-  const auto sides = std::make_shared<Sides>();
+  const auto sides = std::make_shared<GlSides>();
   sides->scene = std::move(scene);
   sides->view = view;
   sides->settings = settings;

@@ -9,7 +9,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr double reach = 10;  // window pixels at scale 1 within which a handle is taken
+constexpr double handle_reach = 10;  // window pixels at scale 1 within which a handle is taken
 
 void mark(ImDrawList& list, const Handle& handle, ImVec2 at, float radius) {
   light_on_dark(false, [&](ImU32 colour, float thickness) {
@@ -49,7 +49,7 @@ std::vector<Handle> visible_handles(const Scene& scene, const View& view, const 
 const Handle* handle_at(const std::vector<Handle>& handles, ImVec2 point, const PictureTransform& transform,
                         const Area& area) {
   const Handle* nearest = nullptr;
-  float least = px(reach);
+  float least = px(handle_reach);
   for (const Handle& handle : handles) {
     const ImVec2 at = transform.to_window(handle.place, area);
     const float distance = std::hypot(at.x - point.x, at.y - point.y);

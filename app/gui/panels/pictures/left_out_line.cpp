@@ -15,12 +15,12 @@ namespace ps::gui {
 namespace {
 
 constexpr double room_for_others = 128;  ///< of the row, at scale 1
-constexpr double mark_size = 11, space = 6;
+constexpr double mark_size = 11, item_gap = 6;
 
 /// Of the first `count`.
 float width_of_buttons(const LeftOut& one, std::size_t count) {
   float width = 0;
-  for (std::size_t i = 0; i < count; ++i) width += button_width(one.remedies[i].label) + px(space);
+  for (std::size_t i = 0; i < count; ++i) width += button_width(one.remedies[i].label) + px(item_gap);
   return width;
 }
 
@@ -28,7 +28,7 @@ float width_of_buttons(const LeftOut& one, std::size_t count) {
 std::string text_that_fits(const LeftOut& one, float room) {
   const std::string brief = one.notice.substr(0, one.notice.find(':'));
   const auto fits = [&](const std::string& text, std::size_t buttons) {
-    return text_width(text) + px(space) + width_of_buttons(one, buttons) <= room;
+    return text_width(text) + px(item_gap) + width_of_buttons(one, buttons) <= room;
   };
   if (fits(one.notice, one.remedies.size())) return one.notice;
   return fits(brief, std::min<std::size_t>(one.remedies.size(), 1)) ? brief : std::string();
@@ -36,14 +36,14 @@ std::string text_that_fits(const LeftOut& one, float room) {
 
 /// One thing that is left out, from `at` on; answers where the next may begin, or nothing where there was no room.
 std::optional<float> notice(Session& session, Side side, const LeftOut& one, ImVec2 at, float right, float height) {
-  const float room = right - at.x - px(mark_size + space);
+  const float room = right - at.x - px(mark_size + item_gap);
   const std::string text = text_that_fits(one, room);
   if (text.empty() && (one.remedies.empty() || button_width(one.remedies.front().label) > room)) return {};
   attention_mark(*ImGui::GetWindowDrawList(), {at.x, at.y + (height - px(mark_size)) / 2}, px(mark_size));
-  float x = at.x + px(mark_size + space);
+  float x = at.x + px(mark_size + item_gap);
   if (!text.empty()) {
     draw_text({x, at.y}, {x + text_width(text), at.y + height}, text, palette().text, 0);
-    x += text_width(text) + px(space);
+    x += text_width(text) + px(item_gap);
   }
   for (const Remedy& remedy : one.remedies) {
     if (x + button_width(remedy.label) > right) break;
@@ -52,7 +52,7 @@ std::optional<float> notice(Session& session, Side side, const LeftOut& one, ImV
                {.tooltip = fmt::format("{}\nSets {} in {}.", one.sentence, remedy.setting, letter_of(side))}))
       session.edit(fmt::format("{} {}", letter_of(side), remedy.setting),
                    [&](Document& document) { parse_assignment(remedy.setting, side_of(document, side).settings); });
-    x += button_width(remedy.label) + px(space);
+    x += button_width(remedy.label) + px(item_gap);
   }
   return x;
 }
@@ -84,13 +84,13 @@ Area left_out_line(Session& session, Side side, const Area& row) {
     const std::optional<float> next =
         notice(session, side, one, {x, row.min.y}, last ? right : right - px(28), row.height());
     if (!next) break;
-    x = *next + px(space);
+    x = *next + px(item_gap);
     ++shown;
   }
   if (shown < all.size()) {
     const std::string more = shown == 0 ? "left out" : fmt::format("+{}", all.size() - shown);
     draw_text({x, row.min.y}, {x + text_width(more), row.max.y}, more, palette().text, 0);
-    x += text_width(more) + px(space);
+    x += text_width(more) + px(item_gap);
   }
   const bool on_a_button = ImGui::IsAnyItemHovered();
   ImGui::SetCursorScreenPos(row.min);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t most_runs = 20'000;  // more would not be seen as such
 constexpr double least_size = 5;           // window pixels at scale 1
-constexpr double thin = 3;                 // the same: lower runs have no room for slanting lines
+constexpr double lowest_slanted = 3;       // the same: lower runs have no room for slanting lines
 const ImU32 magenta = IM_COL32(255, 0, 255, 255);
 const ImU32 hatch_black = IM_COL32(0, 0, 0, 255);
 
@@ -29,7 +29,7 @@ void dashes(ImDrawList& list, ImVec2 low, ImVec2 high) {
 void hatch(ImDrawList& list, ImVec2 low, ImVec2 high) {
   list.AddRectFilled(low, high, magenta);
   const float step = px(7), height = high.y - low.y;
-  if (height < px(thin)) return dashes(list, low, high);
+  if (height < px(lowest_slanted)) return dashes(list, low, high);
   list.PushClipRect(low, high, true);
   for (float sum = std::floor((low.x + low.y) / step) * step; sum < high.x + high.y; sum += step) {
     const float x = sum - low.y;

@@ -52,8 +52,8 @@ std::vector<int> columns_of(const StabilityExperiment& experiment, const PlotFra
 }
 
 /// From the places of the knobs on the axis above down to their frames.
-void draw_lines(ImDrawList& list, const FrameLayout& layout, const std::vector<double>& knobs, const PlotFrame& above,
-                float top, float bottom) {
+void join_to_axis(ImDrawList& list, const FrameLayout& layout, const std::vector<double>& knobs, const PlotFrame& above,
+                  float top, float bottom) {
   for (std::size_t i = 0; i < knobs.size(); ++i) {
     const float from = above.at(knobs[i], 0).x;
     const float to = layout.of(static_cast<int>(i), 0).x + layout.frame.x / 2;
@@ -138,7 +138,7 @@ std::optional<double> film_strip_view(FilmStripState& state, const StabilityExpe
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   FrameLayout layout = layout_of(room.x, frames, frame_width / frame_height);
   layout.corner = {at.x, at.y + lines + line};
-  if (above) draw_lines(list, layout, knobs, *above, at.y, at.y + lines);
+  if (above) join_to_axis(list, layout, knobs, *above, at.y, at.y + lines);
   for (int i = 0; i < frames; ++i) {
     const std::string text = axis_number(knobs[static_cast<std::size_t>(i)]);
     const float half = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x / 2;
