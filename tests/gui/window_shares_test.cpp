@@ -16,10 +16,10 @@ namespace {
 constexpr double lesson_share = 35, explore_share = 30;  // percent of the window, for square pictures
 constexpr double least_lesson_share = 30;                // beside a tall tool, too
 
-/// What each `print` of the commands wrote, as numbers.
+/// What each `print` of the commands wrote, as numbers. Nothing is drawn: what is printed is about the layout.
 std::vector<double> printed(const std::string& commands, const std::string& name, const std::string& size,
                             const std::string& arguments) {
-  const auto result = ps::test::play(commands, ps::fresh_output_folder(name), size, arguments);
+  const auto result = ps::test::play("draw off\n" + commands, ps::fresh_output_folder(name), size, arguments);
   EXPECT_EQ(result.status, 0) << result.errors;
   std::istringstream lines(result.output);
   std::vector<double> numbers;
