@@ -42,6 +42,15 @@ double naive_at(const std::vector<StabilityRow>& rows, std::string_view series, 
   return value_at(rows, series, knob, FigureMethod::naive);
 }
 
+/// How many rows are measured at least: all, but under a sanitizer the first two of the experiments that take 10 to 30
+/// s there, since their figures ask for many pixels or points; later rows run the same code.
+std::size_t enough_rows(std::string_view key) {
+  for (const std::string_view slow : {"cracks-in-an-image", "ground-sphere-acne", "shadow-map-acne",
+                                      "triangle-edge-cracks", "peter-panning", "gouraud-highlight"})
+    if (test::trial_divisor > 1 && key == slow) return 2;
+  return std::numeric_limits<std::size_t>::max();
+}
+
 class EachExperiment : public testing::TestWithParam<const StabilityExperiment*> {};
 
 // Robust zeros of the table hold with any number of rays, points or pixels; so do values that exist at all.
@@ -49,9 +58,18 @@ TEST_P(EachExperiment, RunsWithLittleEffort) {
   const StabilityExperiment& experiment = *GetParam();
   if (experiment.key == "adaptive-sampling-misses") GTEST_SKIP() << "its picture cannot be smaller";
   std::vector<StabilityRow> arrived;
-  StabilityRun run{.seed = 1, .effort = little};
-  run.arrived = [&](const StabilityRow& row) { arrived.push_back(row); };
-  const std::vector<StabilityRow> rows = experiment.measure(run);
+  Progress progress;
+  StabilityRun run{.seed = 1, .progress = &progress, .effort = little};
+  run.arrived = [&](const StabilityRow& row) {
+    arrived.push_back(row);
+    if (arrived.size() >= enough_rows(experiment.key)) progress.request_stop();
+  };
+  std::vector<StabilityRow> rows;
+  try {
+    rows = experiment.measure(run);
+  } catch (const Cancelled&) {
+    rows = arrived;
+  }
   if (rows.empty()) GTEST_SKIP() << "not on this processor";
   for (const StabilityRow& row : rows) {
     EXPECT_FALSE(row.series.empty());

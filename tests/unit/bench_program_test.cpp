@@ -7,6 +7,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "support/trials.h"
+
 namespace bench_program_test {
 namespace {
 
@@ -17,7 +19,15 @@ int status_of(const std::string& arguments) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-TEST(BenchProgram, WritesOneJsonRowForEachBenchThatMatches) {
+/// Nobody measures with a sanitized program, so none is built.
+class BenchProgram : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (ps::test::trial_divisor > 1) GTEST_SKIP() << "not built for a sanitizer";
+  }
+};
+
+TEST_F(BenchProgram, WritesOneJsonRowForEachBenchThatMatches) {
   const auto file = std::filesystem::temp_directory_path() / ("pixelscope-bench-" + std::to_string(getpid()) + ".json");
   ASSERT_EQ(status_of("memory/clear --repeats 1 --json " + file.string()), 0);
   std::ifstream stream(file);
@@ -35,7 +45,7 @@ TEST(BenchProgram, WritesOneJsonRowForEachBenchThatMatches) {
   }
 }
 
-TEST(BenchProgram, RefusesWhatItDoesNotKnow) {
+TEST_F(BenchProgram, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(status_of("no-such-bench"), 2);
   EXPECT_EQ(status_of("memory --repeats 0"), 2);
   EXPECT_EQ(status_of("memory/clear/1024x768 --repeats 1 --json /no/such/folder/out.json"), 2);

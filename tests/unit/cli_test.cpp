@@ -13,6 +13,7 @@
 #include "image/file.h"
 #include "options/option.h"
 #include "support/run_cli.h"
+#include "support/trials.h"
 
 namespace ps {
 namespace cli_test {
@@ -35,7 +36,9 @@ void expect_inspect_equals_render(const std::string& scene, const std::vector<st
   const Image<Rgb8> picture = load_levels(out);
   ASSERT_EQ(picture.width(), 120);
   ASSERT_EQ(picture.height(), 90);
-  for (const Vec2i pixel : {Vec2i{0, 0}, Vec2i{119, 89}, Vec2i{60, 45}, Vec2i{41, 60}, Vec2i{80, 50}}) {
+  constexpr std::array pixels{Vec2i{0, 0}, Vec2i{119, 89}, Vec2i{60, 45}, Vec2i{41, 60}, Vec2i{80, 50}};
+  for (std::size_t i = 0; i < pixels.size(); i += test::list_step) {
+    const Vec2i pixel = pixels[i];
     std::vector<std::string> inspect{"inspect", "--json", "--pixel",
                                      std::to_string(pixel.x) + "," + std::to_string(pixel.y)};
     inspect.insert(inspect.end(), common.begin(), common.end());
@@ -50,8 +53,8 @@ void expect_inspect_equals_render(const std::string& scene, const std::vector<st
     std::array<double, 3> sum{};
     for (const json& line : story["ledger"])
       if (line["level"] == 0)
-        for (std::size_t i = 0; i < 3; ++i) sum[i] += line["value"][i].get<double>();
-    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(sum[i], story["colour"]["linear"][i].get<double>(), 2e-6);
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += line["value"][c].get<double>();
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(sum[c], story["colour"]["linear"][c].get<double>(), 2e-6);
   }
 }
 
