@@ -62,11 +62,11 @@ function(ps_include name scope)
   endif()
 endfunction()
 
-# ps_unity(TARGET...): compiles the files of a folder together, 32 at a time, in a quarter of the time. A folder is one of
-# the second level with all below it (core/raster, app/gui); the listings of all lessons count as one, and so do all files
-# of a target that has no more than 32. So names within such a folder are unique, or lie in namespaces of their own. A
-# file that Highway compiles once per SIMD target stays alone; so does, by CMake's own rule, a file with flags or
-# definitions of its own.
+# ps_unity(TARGET...): compiles the files of a folder together, 32 at a time, in less than a third of the time. A folder
+# is one of the second level with all below it (core/raster, app/gui); the listings of all lessons count as one, and so
+# do all files of a target that has no more than 32. So names within such a folder are unique, or lie in namespaces of
+# their own. A file that Highway compiles once per SIMD target stays alone; so does, by CMake's own rule, a file with
+# flags or definitions of its own.
 function(ps_unity)
   set(together 32)
   foreach(target ${ARGN})
