@@ -8,10 +8,10 @@
 namespace ps {
 namespace {
 
-constexpr double margin = 24, pixel_size = 620, column = 110, names = 150, line_height = 20, texel_size = 210;
-constexpr double text_left = margin + pixel_size + 28, page_width = text_left + names + 3 * column + margin,
-                 page_height = pixel_size + 2 * margin + 24;
-constexpr std::string_view ink = "#181818", paper = "#ffffff", quiet = "#808080", yellow = "#f0e442";
+constexpr double page_margin = 24, pixel_size = 620, column = 110, names = 150, line_height = 20, texel_size = 210;
+constexpr double text_left = page_margin + pixel_size + 28, page_width = text_left + names + 3 * column + page_margin,
+                 page_height = pixel_size + 2 * page_margin + 24;
+constexpr std::string_view ink = "#181818", page_white = "#ffffff", quiet = "#808080", yellow = "#f0e442";
 
 /// A drawing of the microscope put into a square of the page.
 class SvgPanel {
@@ -32,7 +32,7 @@ class SvgPanel {
   }
 
   void rimmed(const Vec2d& a, const Vec2d& b, double width, std::string_view dash = {}) {
-    svg_.line(a, b, {paper, width + 3, {}, {}, 0.85});
+    svg_.line(a, b, {page_white, width + 3, {}, {}, 0.85});
     svg_.line(a, b, {ink, width, dash});
   }
 
@@ -40,7 +40,7 @@ class SvgPanel {
     const double width = 7.5 * static_cast<double>(text.size()) + 6;
     svg_.polygon(
         {at + Vec2d(-width / 2, -9), at + Vec2d(width / 2, -9), at + Vec2d(width / 2, 9), at + Vec2d(-width / 2, 9)},
-        {{}, 0, {}, paper, 0.85});
+        {{}, 0, {}, page_white, 0.85});
     svg_.text(at + Vec2d(0, 4.5), text, 13, SvgAnchor::middle);
   }
 
@@ -62,23 +62,23 @@ class SvgPanel {
     case MicroKind::neighbour:
       return svg_.line(at, corners[1], {quiet, 1.4});
     case MicroKind::pixel:
-      svg_.polygon(corners, {paper, 5, {}, {}, 0.85});
+      svg_.polygon(corners, {page_white, 5, {}, {}, 0.85});
       return svg_.polygon(corners, {ink, 2.4});
     case MicroKind::edge_owned:
       return rimmed(at, corners[1], width);
     case MicroKind::edge_not_owned:
       return rimmed(at, corners[1], width, "8 5");
     case MicroKind::owner_mark:
-      svg_.line(at, corners[1], {paper, width + 1.6, {}, {}, 0.85});
+      svg_.line(at, corners[1], {page_white, width + 1.6, {}, {}, 0.85});
       return svg_.line(at, corners[1], {ink, width * 0.7});
     case MicroKind::corner:
       return svg_.polygon({at + Vec2d(-4, -4), at + Vec2d(4, -4), at + Vec2d(4, 4), at + Vec2d(-4, 4)},
-                          {paper, 1.5, {}, ink});
+                          {page_white, 1.5, {}, ink});
     case MicroKind::sample_lit:
-      return svg_.circle(at, 7, {item.on_dark ? ink : paper, 2, {}, item.on_dark ? paper : ink});
+      return svg_.circle(at, 7, {item.on_dark ? ink : page_white, 2, {}, item.on_dark ? page_white : ink});
     case MicroKind::sample_unlit:
-      svg_.circle(at, 7, {item.on_dark ? ink : paper, 5});
-      return svg_.circle(at, 7, {item.on_dark ? paper : ink, 2});
+      svg_.circle(at, 7, {item.on_dark ? ink : page_white, 5});
+      return svg_.circle(at, 7, {item.on_dark ? page_white : ink, 2});
     case MicroKind::point:
       return cross(at, 14);
     case MicroKind::place:
@@ -90,7 +90,7 @@ class SvgPanel {
       return svg_.polygon(corners, {yellow, 2.2});
     case MicroKind::tap:
       if (item.shape == MicroShape::words) return words(at, item.label);
-      svg_.polygon(corners, {paper, 4.5, {}, {}, 0.85});
+      svg_.polygon(corners, {page_white, 4.5, {}, {}, 0.85});
       return svg_.polygon(corners, {ink, 1.6});
     }
   }
@@ -119,10 +119,10 @@ std::string micro_svg(const Microscope& microscope, const MicroReading& reading,
   const Vec2i pixel = microscope.pixel();
   const std::string title = fmt::format("Pixel ({}, {}) at panel size", pixel.x, pixel.y);
   SvgDrawing svg(page_width, page_height, title);
-  svg.text({margin, margin}, title, 17, SvgAnchor::start, true);
+  svg.text({page_margin, page_margin}, title, 17, SvgAnchor::start, true);
   const MicroDrawing drawing = pixel_drawing(microscope, reading, selected);
-  SvgPanel(svg, drawing, {margin, margin + 12}, pixel_size).draw();
-  double y = margin + 28;
+  SvgPanel(svg, drawing, {page_margin, page_margin + 12}, pixel_size).draw();
+  double y = page_margin + 28;
   svg.text({text_left, y}, "At the point: " + reading.seen, 15, SvgAnchor::start, true);
   y += line_height;
   svg.text({text_left, y}, fmt::format("sample point {} of the pixel", vector_text(reading.point)), 13);

@@ -8,15 +8,15 @@
 namespace ps::raster {
 namespace {
 
-constexpr int samples = 8;  // along each edge of a patch
+constexpr int edge_samples = 8;  // along each edge of a patch
 constexpr double between_samples = 1.1;
 
 /// By how many pixels two triangles for the whole patch could stray from it.
 double undivided_error(const BezierPatch& patch, const TessellationView& view) {
   double worst = 0;
-  for (int row = 0; row <= samples; ++row)
-    for (int column = 0; column <= samples; ++column) {
-      const PatchBend bend = patch_bend(patch, {column, samples}, {row, samples});
+  for (int row = 0; row <= edge_samples; ++row)
+    for (int column = 0; column <= edge_samples; ++column) {
+      const PatchBend bend = patch_bend(patch, {column, edge_samples}, {row, edge_samples});
       const double strays = (std::abs(bend.uu) + 2 * std::abs(bend.uv) + std::abs(bend.vv)) / 8;
       const Vec3d from_eye = bend.point - view.eye;
       const bool shrinks = view.projection == Projection::perspective;

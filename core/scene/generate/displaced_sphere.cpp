@@ -19,12 +19,12 @@ struct Wave {
 };
 
 constexpr int wave_count = 6;
-const std::array<Wave, wave_count> relief{{{0.34, {3.1, -1.7, 2.3}, 0.4},
-                                           {0.24, {-5.3, 4.1, 6.7}, 1.9},
-                                           {0.17, {11.9, 8.3, -7.1}, 5.2},
-                                           {0.12, {-9.7, 21.3, 17.9}, 2.6},
-                                           {0.08, {37.1, -29.3, 31.7}, 0.9},
-                                           {0.05, {-61.3, 53.9, 47.3}, 3.8}}};
+const std::array<Wave, wave_count> relief_waves{{{0.34, {3.1, -1.7, 2.3}, 0.4},
+                                                 {0.24, {-5.3, 4.1, 6.7}, 1.9},
+                                                 {0.17, {11.9, 8.3, -7.1}, 5.2},
+                                                 {0.12, {-9.7, 21.3, 17.9}, 2.6},
+                                                 {0.08, {37.1, -29.3, 31.7}, 0.9},
+                                                 {0.05, {-61.3, 53.9, 47.3}, 3.8}}};
 
 /// Radius in a unit direction, with its gradient in space.
 struct Radius {
@@ -34,7 +34,7 @@ struct Radius {
 
 Radius radius_in(const Vec3d& direction, double amplitude) {
   Radius radius{1, {0, 0, 0}};
-  for (const Wave& wave : relief) {
+  for (const Wave& wave : relief_waves) {
     const double angle = dot(wave.wave, direction) + wave.phase;
     radius.value += amplitude * wave.weight * portable::sin(angle);
     radius.gradient += amplitude * wave.weight * portable::cos(angle) * wave.wave;

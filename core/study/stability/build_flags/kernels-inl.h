@@ -91,7 +91,7 @@ constexpr Ball balls[4] = {{{0, -1, 3}, 1, {255, 0, 0}, 500, 0.2f},
                            {{-2, 0, 4}, 1, {0, 255, 0}, 10, 0.4f},
                            {{2, 0, 4}, 1, {0, 0, 255}, 500, 0.3f},
                            {{0, -5001, 0}, 5000, {255, 255, 0}, 1000, 0.5f}};
-constexpr float beyond = 1e30f, epsilon = 0.001f;
+constexpr float beyond = 1e30f, start_epsilon = 0.001f;
 
 struct Meeting {
   int ball = -1;
@@ -129,7 +129,7 @@ float light_at(V point, V normal, V view, float specular) {
   for (int light = 0; light < 2; ++light) {
     const V to_light = light == 0 ? V{2, 1, 0} - point : V{1, 4, 4};
     const float intensity = light == 0 ? 0.6f : 0.2f;
-    if (nearest(point, to_light, epsilon, light == 0 ? 1.0f : beyond).ball >= 0) continue;
+    if (nearest(point, to_light, start_epsilon, light == 0 ? 1.0f : beyond).ball >= 0) continue;
     const float facing = product(normal, to_light);
     const float length = __builtin_sqrtf(product(to_light, to_light));
     if (facing > 0) sum += intensity * facing / (__builtin_sqrtf(product(normal, normal)) * length);
@@ -152,7 +152,7 @@ V traced(V origin, V direction, float t_min, int depth) {
   const V view = -1.0f * direction;
   const V local = light_at(point, normal, view, ball.specular) * ball.colour;
   if (depth <= 0) return local;
-  const V reflected = traced(point, mirrored(view, normal), epsilon, depth - 1);
+  const V reflected = traced(point, mirrored(view, normal), start_epsilon, depth - 1);
   return (1 - ball.reflective) * local + ball.reflective * reflected;
 }
 
