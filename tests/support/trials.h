@@ -17,4 +17,7 @@ constexpr int trials(int count) { return std::max(1, count / trial_divisor); }
 /// The elements of a list to try: each one, or every fourth under a sanitizer.
 inline constexpr std::size_t list_step = trial_divisor > 1 ? 4 : 1;
 
+/// The side of a picture in pixels: as written, or half of it (a quarter of the pixels) under a sanitizer.
+constexpr int side(int pixels) { return trial_divisor > 1 ? pixels / 2 : pixels; }
+
 }  // namespace ps::test

@@ -20,6 +20,7 @@
 #include "study/chart_files.h"
 #include "study/chart_style.h"
 #include "support/run_cli.h"
+#include "support/trials.h"
 
 namespace chart_test {
 namespace {
@@ -264,7 +265,7 @@ Chart swept_chart(const std::string& scene, const std::vector<std::string>& swee
                   const std::vector<std::string>& assignments = {}, MachineryRule rule = MachineryRule::same) {
   ChartRequest request;
   request.scene = load_scene(scene);
-  request.view = {request.scene.camera, 80, 60};
+  request.view = {request.scene.camera, test::side(80), test::side(60)};
   request.base = settings_for(request.scene);
   for (const std::string& assignment : assignments) parse_assignment(assignment, request.base);
   std::vector<SweepAxis> axes;

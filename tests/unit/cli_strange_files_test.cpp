@@ -10,6 +10,7 @@
 #include <random>
 
 #include "support/run_cli.h"
+#include "support/trials.h"
 
 namespace ps {
 namespace cli_strange_files_test {
@@ -82,14 +83,15 @@ TEST_F(StrangeFiles, BinaryRubbish) {
 }
 
 TEST_F(StrangeFiles, DeepAndLong) {
-  write_and_expect_refused("brackets.scene", std::string(3'000'000, '('), "brackets.scene:1:");
+  write_and_expect_refused("brackets.scene", std::string(test::trials(3'000'000), '('), "brackets.scene:1:");
   std::string blocks;
-  for (int i = 0; i < 100'000; ++i) blocks += "difference { ";
+  for (int i = 0; i < test::trials(100'000); ++i) blocks += "difference { ";
   write_and_expect_refused("blocks.scene", blocks, "at most 32 nested brackets");
   std::string many;
   for (int i = 0; i < 100'001; ++i) many += "sphere{center=(0,0,3)radius=1}\n";
   write_and_expect_refused("many.scene", many, "at most 100000 spheres");
-  write_and_expect_refused("line.obj", "v 0 0 0 # " + std::string(8'000'000, 'x') + "\n", "at most 65536 bytes");
+  write_and_expect_refused("line.obj", "v 0 0 0 # " + std::string(test::trials(8'000'000), 'x') + "\n",
+                           "at most 65536 bytes");
 }
 
 TEST_F(StrangeFiles, IncludesInCirclesAndChains) {

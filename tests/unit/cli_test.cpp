@@ -27,16 +27,18 @@ using test::ScratchFolder;
 void expect_inspect_equals_render(const std::string& scene, const std::vector<std::string>& settings) {
   const ScratchFolder folder;
   const std::string out = folder.file("picture.png");
-  std::vector<std::string> common{scene, "--size", "120x90"};
+  constexpr int width = test::side(120), height = test::side(90);
+  std::vector<std::string> common{scene, "--size", std::to_string(width) + "x" + std::to_string(height)};
   for (const std::string& setting : settings) common.insert(common.end(), {"--set", setting});
   std::vector<std::string> render{"render", "--out", out};
   render.insert(render.end(), common.begin(), common.end());
   const auto rendered = run_cli(render);
   ASSERT_EQ(rendered.status, 0) << rendered.err;
   const Image<Rgb8> picture = load_levels(out);
-  ASSERT_EQ(picture.width(), 120);
-  ASSERT_EQ(picture.height(), 90);
-  constexpr std::array pixels{Vec2i{0, 0}, Vec2i{119, 89}, Vec2i{60, 45}, Vec2i{41, 60}, Vec2i{80, 50}};
+  ASSERT_EQ(picture.width(), width);
+  ASSERT_EQ(picture.height(), height);
+  constexpr std::array pixels{Vec2i{0, 0}, Vec2i{width - 1, height - 1}, Vec2i{width / 2, height / 2},
+                              Vec2i{test::side(41), test::side(60)}, Vec2i{test::side(80), test::side(50)}};
   for (std::size_t i = 0; i < pixels.size(); i += test::list_step) {
     const Vec2i pixel = pixels[i];
     std::vector<std::string> inspect{"inspect", "--json", "--pixel",

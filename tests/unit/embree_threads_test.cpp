@@ -16,6 +16,7 @@
 #include "raytrace/eye_ray.h"
 #include "raytrace/trace_inputs.h"
 #include "scene/load.h"
+#include "support/trials.h"
 
 namespace embree_threads_test {
 namespace {
@@ -49,6 +50,8 @@ int met(const EmbreeTriangles& tree, const Aimed& aimed) {
   return count;
 }
 
+constexpr int rounds = test::trial_divisor > 1 ? 3 : 6;
+
 TEST(EmbreeThreads, MakeSearchAndLetGoOfEachOthersTrees) {
   if (!has_embree()) GTEST_SKIP() << "compiled without Embree";
   const Aimed aimed = tea_party();
@@ -60,7 +63,7 @@ TEST(EmbreeThreads, MakeSearchAndLetGoOfEachOthersTrees) {
   std::vector<std::thread> threads;
   for (int thread = 0; thread < 4; ++thread)
     threads.emplace_back([&] {
-      for (int i = 0; i < 6; ++i) {
+      for (int i = 0; i < rounds; ++i) {
         const auto made = std::make_shared<const EmbreeTriangles>(*aimed.geometry);
         Tree other;  // often another thread's, which has let go of it by then
         {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "shade/illumination.h"
+#include "support/trials.h"
 
 namespace radiometric_test {
 namespace {
@@ -89,7 +90,7 @@ TEST(Radiometric, BlinnPhongIsNormalised) {
   // Closed form of the integral: with half angle a, cos(theta) = 2 cos^2 a - 1 and d omega = 4 cos a d omega_h.
   const auto expected = [](double s) {
     double sum = 0;
-    constexpr int steps = 200000;
+    constexpr int steps = test::trials(200000);
     for (int i = 0; i < steps; ++i) {
       const double a = (i + 0.5) / steps * pi / 4, c = std::cos(a);
       sum += std::pow(c, s) * (2 * c * c - 1) * 4 * c * 2 * pi * std::sin(a) * (pi / 4 / steps);

@@ -10,6 +10,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
+#include "support/trials.h"
 
 namespace sampling_test {
 namespace {
@@ -225,10 +226,10 @@ TEST(Sampling, ThreadsChangeNothing) {
       Settings settings = samples(4, pattern);
       settings.adaptive_sampling = adaptive;
       settings.threads = 1;
-      const Frame alone = traced(scene, settings, 90, 70);
+      const Frame alone = traced(scene, settings, test::side(90), test::side(70));
       for (const int threads : {2, 7}) {
         settings.threads = threads;
-        const Frame several = traced(scene, settings, 90, 70);
+        const Frame several = traced(scene, settings, test::side(90), test::side(70));
         EXPECT_TRUE(same_picture(alone, several));
         EXPECT_EQ(alone.counters, several.counters);
       }

@@ -17,6 +17,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
+#include "support/trials.h"
 
 namespace slow_motion_test {
 namespace {
@@ -95,7 +96,7 @@ Set soup_set(const std::vector<bool>& kept, std::initializer_list<const char*> a
 std::vector<bool> all_kept() { return std::vector<bool>(soup().size(), true); }
 
 /// Ends of the range and some numbers inside it.
-std::vector<std::uint64_t> numbers_up_to(std::uint64_t total, std::size_t count = 8) {
+std::vector<std::uint64_t> numbers_up_to(std::uint64_t total, std::size_t count = test::trial_divisor > 1 ? 5 : 8) {
   std::mt19937_64 random(total);
   std::vector<std::uint64_t> numbers{0, 1, total};
   while (numbers.size() < count) numbers.push_back(std::uniform_int_distribution<std::uint64_t>(0, total)(random));
