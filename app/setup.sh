@@ -78,11 +78,11 @@ configure() {
   (cd "$repository" && cmake "${fresh[@]}" --preset "$1" "${@:3}")
 }
 
-# build PRESET TARGET...
+# build PRESET TARGET...: a compiler for each core. Ninja's own choice, one or two more, took 3 % longer on two cores.
 build() {
   local preset=$1
   shift
-  (cd "$repository" && cmake --build --preset "$preset" --target "$@")
+  (cd "$repository" && cmake --build --preset "$preset" --parallel "$(nproc)" --target "$@")
 }
 
 # large_pages: what is started from here takes its memory from the system 64 MB at a time and on pages of 2 MB, where the
