@@ -154,7 +154,7 @@ TEST(Stability, TablesLeaveAMissingMethodEmpty) {
 // The table's figures do not depend on a processor's estimates of square roots; optimisation alone changes no pixel,
 // and -ffast-math changes some on each of them.
 TEST(Stability, BuildFlagsAloneChangePixels) {
-  if (test::trial_divisor > 1) GTEST_SKIP() << "sanitized code is another build; its rows run in EachExperiment";
+  if (test::trial_divisor > 1) GTEST_SKIP() << "sanitized code is another build; EachExperiment runs the first rows";
   const auto rows = measured("build-flags");
   EXPECT_EQ(naive_at(rows, "-O0", 1), 0);
   EXPECT_GT(naive_at(rows, "-ffast-math", 3), 0);
