@@ -194,7 +194,7 @@ TEST(Rasterized, FastPathsStoreIdsAndDepths) {
         settings.simd = Simd::off;
         const Frame clear = draw(scene, view, settings, asked);
         const auto seen = std::ranges::count_if(clear.ids.pixels(), [](const PixelId& id) { return id.object >= 0; });
-        EXPECT_GT(seen, test::trial_divisor > 1 ? 250 : 1000) << name;
+        EXPECT_GT(seen, test::area(1000)) << name;
         settings.simd = Simd::automatic;
         constexpr std::array thread_counts{7, 2, 1};
         for (std::size_t i = 0; i < thread_counts.size(); i += test::list_step) {

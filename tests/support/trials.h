@@ -20,4 +20,7 @@ inline constexpr std::size_t list_step = trial_divisor > 1 ? 4 : 1;
 /// The side of a picture in pixels: as written, or half of it (a quarter of the pixels) under a sanitizer.
 constexpr int side(int pixels) { return trial_divisor > 1 ? pixels / 2 : pixels; }
 
+/// A number of pixels in a picture with such sides.
+constexpr int area(int pixels) { return trial_divisor > 1 ? pixels / 4 : pixels; }
+
 }  // namespace ps::test

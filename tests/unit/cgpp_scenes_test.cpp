@@ -26,9 +26,6 @@ Frame traced(const Scene& scene, const Settings& settings, Channel channels = Ch
   return render_traced(scene, view, settings, request, prepared, progress);
 }
 
-/// What is left of `pixels` of the whole canvas in the picture of `traced`.
-constexpr int of_canvas(int pixels) { return pixels / (test::side(2) == 2 ? 1 : 4); }
-
 TEST(Cgpp, OnePixelOfTheTriangleByHand) {
   const Scene scene = load_scene("cgpp/triangle");
   const Settings settings = settings_for(scene);
@@ -79,13 +76,13 @@ TEST(Cgpp, GroundHasAShadowAndAcneOnlyWithATinyBump) {
   for (int y = 0; y < frame.height(); ++y)
     for (int x = 0; x < frame.width(); ++x)
       if (frame.ids.at(x, y).object >= 2) (frame.shadow.at(x, y) != 0 ? shadow : lit) += 1;
-  EXPECT_GT(shadow, of_canvas(1000));
-  EXPECT_GT(lit, of_canvas(10000));
+  EXPECT_GT(shadow, test::area(1000));
+  EXPECT_GT(lit, test::area(10000));
   EXPECT_EQ(shadowed_green(scene, settings), 0);
   settings.shadow_epsilon = 1e-9;
   const int acne = shadowed_green(scene, settings);
   std::cout << acne << " pixels of acne with a bump of 1e-9\n";
-  EXPECT_GT(acne, of_canvas(100));
+  EXPECT_GT(acne, test::area(100));
   settings.self_hit = SelfHit::offset;
   EXPECT_EQ(shadowed_green(scene, settings), 0);
 }
@@ -102,7 +99,7 @@ TEST(Cgpp, TheFrontAloneCastsNoShadowFromBehind) {
         ++ground;
         ASSERT_EQ(frame.shadow.at(x, y), 0u) << x << ", " << y;
       }
-  EXPECT_GT(ground, of_canvas(11000)) << "lit and shadowed ground of the test before";
+  EXPECT_GT(ground, test::area(11000)) << "lit and shadowed ground of the test before";
 }
 
 // CGPP 15.7's indexed meshes are the same triangles, and light adds up: 31 is 3.1 times 10.
@@ -122,7 +119,7 @@ TEST(Cgpp, TheIndexedSceneIsTheGroundUnderALightOfPower31) {
           << x << ", " << y;
       green += object == 0;
     }
-  EXPECT_GT(green, of_canvas(10000));
+  EXPECT_GT(green, test::area(10000));
 }
 
 TEST(Cgpp, FourTriangleTestsSeeTheSameTeapot) {
@@ -144,7 +141,7 @@ TEST(Cgpp, FourTriangleTestsSeeTheSameTeapot) {
       }
     EXPECT_LE(differing, 3) << static_cast<int>(test);
   }
-  EXPECT_GT(covered, of_canvas(30000));
+  EXPECT_GT(covered, test::area(30000));
 }
 
 }  // namespace
