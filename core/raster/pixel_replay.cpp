@@ -5,11 +5,11 @@
 #include <map>
 
 #include "raster/clear/canvas_items.h"
-#include "raster/clear/depth_test.h"
 #include "raster/clear/draw_primitives.h"
 #include "raster/clear/near_pixel.h"
 #include "raster/clear/set_up_triangle.h"
 #include "raster/replaced_fragment.h"
+#include "raster/replay/sample_winner.h"
 #include "raster/shadow/fragment_shadows.h"
 #include "record/recorder.h"
 
@@ -77,12 +77,10 @@ struct PixelReplay::State {
     ref.batch &= ~of_uncut;
     return set_up_triangle(pass, of, ref);
   }
-  float depth_of(const TriangleSetup<float>& setup, const Fragment<float>& fragment) const {
-    return pass.depth.encode(depth_value(pass, setup, fragment, pass.grid.sample));
-  }
   CoveringTriangle covering_of(const PrimitiveRef& ref, const TriangleSetup<float>& setup,
                                const Fragment<float>& fragment) const {
-    return {ref, id_of(*setup.triangle), depth_of(setup, fragment), setup.triangle->cut};
+    return {ref, id_of(*setup.triangle), SampleWinner<float>::depth(pass, setup, fragment, pass.grid.sample),
+            setup.triangle->cut};
   }
   void make_uncut() {
     if (uncut) return;
@@ -142,7 +140,6 @@ std::vector<CoveringTriangle> PixelReplay::covering(Vec2i pixel) const {
   const std::size_t tile =
       static_cast<std::size_t>(pixel.y / replay_tile) * s.columns + static_cast<std::size_t>(pixel.x / replay_tile);
   std::vector<CoveringTriangle> all;
-  CountingRecorder recorder;
   for (std::size_t part = 0; part < s.bins.parts; ++part)
     for (const PrimitiveRef& ref : s.bins.list(part, tile)) {
       const TileRect& box = s.geometry.batches[ref.batch].triangles[ref.index].box;
@@ -151,23 +148,16 @@ std::vector<CoveringTriangle> PixelReplay::covering(Vec2i pixel) const {
       const auto values = setup.edges.at(pixel.x, pixel.y);
       if (!setup.edges.inside(values)) continue;
       const Fragment<float> fragment = make_fragment(s.pass, setup, pixel.x, pixel.y, values);
-      if (is_cut_out(s.pass, setup, fragment, recorder)) continue;
+      if (SampleWinner<float>::cut_out(s.pass, setup, fragment)) continue;
       all.push_back(s.covering_of(ref, setup, fragment));
     }
   return all;
 }
 
 int PixelReplay::winner(const std::vector<CoveringTriangle>& covering) const {
-  const State& s = *state_;
-  if (s.pass.settings.visibility != Visibility::depth_buffer) return static_cast<int>(covering.size()) - 1;
-  int best = -1;
-  auto stored = empty_depth<float>(s.pass.depth);
-  for (std::size_t i = 0; i < covering.size(); ++i)
-    if (is_nearer(s.pass.depth, covering[i].depth, stored)) {
-      best = static_cast<int>(i);
-      stored = covering[i].depth;
-    }
-  return best;
+  SampleWinner<float> seen(state_->pass);
+  for (std::size_t i = 0; i < covering.size(); ++i) seen.offer(static_cast<int>(i), covering[i].depth);
+  return seen.winner();
 }
 
 std::optional<CoveringTriangle> PixelReplay::nearest_piece(const PixelId& id, Vec2i pixel) const {

@@ -135,6 +135,27 @@ TEST(SurfaceMaps, OpacityMapLetsRaysThroughAndCutsFragmentsOut) {
   expect_everywhere(glass, {ways[0], ways[1]}, [](double, double) { return Vec3d(0.25, 0, 0.75); });
 }
 
+// What is cut out leaves no depth behind either: a second wall, drawn after the first, is seen through its holes.
+TEST(SurfaceMaps, CutOutFragmentsHideNothing) {
+  const test::ModelFolder folder;
+  folder.write("cut.pgm", "P2 2 1 255 255 0\n");
+  Scene scene = wall(folder, "color = red opacity_map = t",
+                     "texture { name = t file = cut.pgm }\nmaterial { name = b color = green }\n"
+                     "model { name = behind material = b vertices = [(-4, -2, 3), (-4, 2, 3), (4, 2, 3), (4, -2, 3)]\n"
+                     "  triangles { 0 = (0, 1, 2) 1 = (0, 2, 3) } }\n");
+  Object behind = scene.geometry->objects.at(0);
+  std::get<Instance>(behind.shape).mesh = 0;
+  Geometry geometry = *scene.geometry;
+  ASSERT_EQ(geometry.meshes.at(0)->name, "behind");
+  geometry.objects.push_back(behind);
+  scene.geometry = Part<Geometry>(std::move(geometry));
+  auto all = ways;
+  all.push_back("renderer=rasterizer multisampling=4");
+  all.push_back("renderer=rasterizer multisampling=4 depth-reversed=on depth-format=unorm");
+  expect_everywhere(with_lights(scene, {ambient_light(1)}), all,
+                    [](double u, double) { return is_left(u) ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0); });
+}
+
 // As all that is transparent: a panel beside the view, between the light and the middle of the wall.
 TEST(SurfaceMaps, WhatHasAnOpacityMapCastsNoShadow) {
   const test::ModelFolder folder;

@@ -65,7 +65,8 @@ struct MicroTable {
 };
 
 /// What the kernel computes for a triangle at the sample point. First what each vertex has: edge values with who owns
-/// ties, weights on the screen and in space. Then depth and texture coordinates by both kinds of weights.
+/// ties, weights on the screen and in space. Then depth and texture coordinates by both kinds of weights, and the depth
+/// that the depth buffer compares.
 std::vector<MicroTable> triangle_tables(const MicroTriangle& triangle);
 
 /// The triangle whose numbers are shown: `selected` where there is such a one, else the one in front, else the first;

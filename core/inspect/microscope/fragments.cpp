@@ -13,8 +13,9 @@
 #include "raster/clear/multisample.h"
 #include "raster/clear/near_pixel.h"
 #include "raster/clear/polygon_rows.h"
-#include "raster/clear/shade_fragment.h"
+#include "raster/clear/set_up_triangle.h"
 #include "raster/guard_band.h"
+#include "raster/replay/sample_winner.h"
 #include "render/story/names.h"
 
 namespace ps {
@@ -22,11 +23,14 @@ namespace {
 
 using namespace raster;
 
+constexpr const char* background = "the background";
+
 /// A triangle that was copied out of the picture's geometry.
 template <class Real>
 struct NearTriangle {
   ScreenTriangle<Real> triangle;
   std::vector<Real> attributes;  ///< of its vertices, and what follows them (fragment.h)
+  DepthPlane<Real> plane;        ///< only where depth is found by ray and plane
 };
 
 /// A filled triangle on the canvas, which is drawn after the scene.
@@ -52,44 +56,30 @@ class FragmentsIn final : public Microscope::Fragments {
       if (!is_near(triangle.corners)) continue;
       const auto first = batch.attributes.begin() + static_cast<std::ptrdiff_t>(triangle.attributes);
       const auto most = std::min<std::ptrdiff_t>(batch.attributes.end() - first, most_scalars);
-      near_.push_back({triangle, {first, first + most}});
+      near_.push_back({triangle, {first, first + most}, set_up_triangle(pass_, geometry, ref).plane});
     }
   }
 
   MicroReading read(const Vec2d& point) const override {
+    const auto unit = static_cast<double>(fixed_unit(pass_.grid.subpixel_bits));
     CoverageGrid grid = pass_.grid;
-    const auto unit = static_cast<double>(fixed_unit(grid.subpixel_bits));
     grid.samples = 1;
     grid.sample = {std::round(point.x * unit) / unit, std::round(point.y * unit) / unit};
-    MicroReading reading;
-    reading.point = grid.sample;
-    for (const NearTriangle<Real>& near : near_) reading.triangles.push_back(measure(near, grid));
-    for (const NearCanvasTriangle& near : on_canvas_) reading.triangles.push_back(measure(near, grid));
-    reading.front = front_of(reading.triangles);
-    reading.seen = "the background";
-    if (reading.front < 0) return reading;
-    reading.seen = reading.triangles[static_cast<std::size_t>(reading.front)].name;
-    if (static_cast<std::size_t>(reading.front) < near_.size())
-      reading.texture = texture_of(near_[static_cast<std::size_t>(reading.front)], grid);
-    return reading;
+    return read(grid, [&](const NearTriangle<Real>& near, const TriangleEdges& edges) {
+      // Strategies of coverage are asked about the picture's own samples alone.
+      if (pass_.grid.samples > 1 || grid.sample != pass_.grid.sample) return edges.inside(edges.at(pixel_.x, pixel_.y));
+      return covers_sample(near, edges);
+    });
   }
 
   std::vector<MicroSample> samples() const override {
     std::vector<MicroSample> samples;
     if (pass_.grid.samples == 1) {
-      samples.push_back(sample_at(pass_.grid.sample, [&](const NearTriangle<Real>& near, const TriangleEdges& edges) {
-        const auto input = coverage_input(pass_, near.triangle, edges);
-        return decide_sample<Real>(pass_.coverage, input, pixel_.x, pixel_.y).covered;
-      }));
+      const MicroReading reading = read(pass_.grid.sample);
+      samples.push_back({pass_.grid.sample, reading.seen != background, reading.seen, -1});
       return samples;
     }
-    for (const SubSample& sample : sample_pattern(pass_.grid.samples)) {
-      const Vec2d place = pass_.grid.sample + Vec2d(sample.x, sample.y) / 16.0;
-      samples.push_back(sample_at(place, [&](const NearTriangle<Real>&, const TriangleEdges& edges) {
-        const SubSampleEdges sub = make_sub_sample_edges(edges, pass_.grid.subpixel_bits);
-        return sub.inside(sub.at(edges.at(pixel_.x, pixel_.y), sample));
-      }));
-    }
+    for (const SubSample& sample : sample_pattern(pass_.grid.samples)) samples.push_back(sample_of(sample));
     return samples;
   }
 
@@ -142,7 +132,12 @@ class FragmentsIn final : public Microscope::Fragments {
       low = {std::min(low.x, at.x), std::min(low.y, at.y)};
       high = {std::max(high.x, at.x), std::max(high.y, at.y)};
     }
-    return low.x <= 1 + micro_margin && low.y <= 1 + micro_margin && high.x >= -micro_margin && high.y >= -micro_margin;
+    // Sub-samples lie up to half a pixel around the sample, which may be the pixel's corner.
+    const double reach = pass_.grid.samples > 1 ? 0.5 : 0;
+    const Vec2d &at = pass_.grid.sample,
+                first{std::min(-micro_margin, at.x - reach), std::min(-micro_margin, at.y - reach)};
+    const Vec2d last{std::max(1 + micro_margin, at.x + reach), std::max(1 + micro_margin, at.y + reach)};
+    return low.x <= last.x && low.y <= last.y && high.x >= first.x && high.y >= first.y;
   }
   Vec2d in_pixel(const FixedPoint& point) const {
     return canvas_pixels(point, pass_.grid.subpixel_bits) - Vec2d(pixel_);
@@ -150,38 +145,104 @@ class FragmentsIn final : public Microscope::Fragments {
 
   TriangleSetup<Real> set_up(const NearTriangle<Real>& near, const TriangleEdges& edges) const {
     return {&near.triangle, &pass_.surfaces[near.triangle.surface],  near.attributes.data(),
-            edges,          Real(1) / static_cast<Real>(edges.area), {}};
+            edges,          Real(1) / static_cast<Real>(edges.area), near.plane};
   }
 
-  ps::MicroTriangle measure(const NearTriangle<Real>& near, const CoverageGrid& grid) const {
+  TriangleEdges edges_of(const NearTriangle<Real>& near, const CoverageGrid& grid) const {
     const auto edges = make_edges(near.triangle.corners, grid);
     PS_ASSERT(edges.has_value(), "triangles without area are left out by the assembly");
-    const TriangleSetup<Real> setup = set_up(near, *edges);
-    const auto values = edges->at(pixel_.x, pixel_.y);
-    const Fragment<Real> fragment = make_fragment(pass_, setup, pixel_.x, pixel_.y, values);
+    return *edges;
+  }
+  bool covers_sample(const NearTriangle<Real>& near, const TriangleEdges& edges) const {
+    const auto input = coverage_input(pass_, near.triangle, edges);
+    return decide_sample<Real>(pass_.coverage, input, pixel_.x, pixel_.y).covered;
+  }
+
+  template <class Covers>
+  MicroReading read(const CoverageGrid& grid, Covers covers) const {
+    MicroReading reading;
+    reading.point = grid.sample;
+    SampleWinner<Real> seen(pass_);
+    for (const NearTriangle<Real>& near : near_) {
+      const TriangleSetup<Real> setup = set_up(near, edges_of(near, grid));
+      const Fragment<Real> fragment =
+          make_fragment(pass_, setup, pixel_.x, pixel_.y, setup.edges.at(pixel_.x, pixel_.y));
+      MicroTriangle measured = measure(setup, fragment, grid);
+      measured.covered = covers(near, setup.edges);
+      measured.cut_out = SampleWinner<Real>::cut_out(pass_, setup, fragment);
+      const Real depth = SampleWinner<Real>::depth(pass_, setup, fragment, grid.sample);
+      if (pass_.settings.visibility == Visibility::depth_buffer) measured.depth = static_cast<double>(depth);
+      if (measured.is_drawn()) seen.offer(static_cast<int>(reading.triangles.size()), depth);
+      reading.triangles.push_back(std::move(measured));
+    }
+    reading.front = seen.winner();
+    for (const NearCanvasTriangle& near : on_canvas_) {
+      MicroTriangle measured = measure(near, grid);
+      if (near.rows && grid.sample == pass_.grid.sample) measured.covered = *near.rows;
+      if (measured.covered) reading.front = static_cast<int>(reading.triangles.size());  // over all before
+      reading.triangles.push_back(std::move(measured));
+    }
+    reading.seen = background;
+    if (reading.front < 0) return reading;
+    const auto front = static_cast<std::size_t>(reading.front);
+    reading.seen = reading.triangles[front].name;
+    if (front < near_.size()) reading.texture = texture_of(near_[front], grid);
+    return reading;
+  }
+
+  /// One of the samples of a multisampled pixel. Its triangles are cut out where they are at the pixel's centre.
+  MicroSample sample_of(const SubSample& sample) const {
+    const Vec2d place = place_in_pixel(sample, pass_.grid.sample);
+    SampleWinner<Real> seen(pass_);
+    const auto set_up_again = [&](const NearTriangle<Real>& near) { return set_up(near, edges_of(near, pass_.grid)); };
+    for (std::size_t i = 0; i < near_.size(); ++i) {
+      const TriangleSetup<Real> setup = set_up_again(near_[i]);
+      const SubSampleEdges sub = make_sub_sample_edges(setup.edges, pass_.grid.subpixel_bits);
+      const auto middle = setup.edges.at(pixel_.x, pixel_.y), values = sub.at(middle, sample);
+      if (!sub.inside(values)) continue;
+      if (SampleWinner<Real>::cut_out(pass_, setup, make_fragment(pass_, setup, pixel_.x, pixel_.y, middle))) continue;
+      const Fragment<Real> fragment = sub_sample_fragment(pass_, setup, sub, pixel_.x, pixel_.y, values);
+      seen.offer(static_cast<int>(i), SampleWinner<Real>::depth(pass_, setup, fragment, place));
+    }
+    std::string name(background);
+    if (seen.winner() >= 0) name = name_of(set_up_again(near_[static_cast<std::size_t>(seen.winner())]));
+    CoverageGrid grid = pass_.grid;
+    grid.samples = 1;
+    for (const NearCanvasTriangle& near : on_canvas_)
+      if (const MicroTriangle measured = measure(near, grid); near.rows.value_or(measured.covered))
+        name = measured.name;
+    return {place, name != background, name, -1};
+  }
+
+  std::string name_of(const TriangleSetup<Real>& setup) const {
+    const std::string name = primitive_name(*pass_.scene, event_id(setup));
+    return setup.surface->sphere ? name + ", its triangle " + std::to_string(setup.triangle->triangle) : name;
+  }
+
+  ps::MicroTriangle measure(const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
+                            const CoverageGrid& grid) const {
+    const auto values = setup.edges.at(pixel_.x, pixel_.y);
     const auto weights = space_weights(pass_, setup, fragment);
     ps::MicroTriangle out;
     out.id = event_id(setup);
-    out.name = primitive_name(*pass_.scene, out.id);
-    if (setup.surface->sphere) out.name += ", its triangle " + std::to_string(near.triangle.triangle);
+    out.name = name_of(setup);
     out.edges = edges_in_pixels(values, grid.subpixel_bits);
-    out.covered = edges->inside(values);
-    out.back_face = near.triangle.back_face;
+    out.back_face = setup.triangle->back_face;
     out.z = static_cast<double>(fragment.z);
     for (std::size_t i = 0; i < 3; ++i) {
-      out.corners[i] = in_pixel(near.triangle.corners[i]);
+      out.corners[i] = in_pixel(setup.triangle->corners[i]);
       out.ties[i] = values[i] == 0;
-      out.owns[i] = edges->threshold[i] < 0;
+      out.owns[i] = setup.edges.threshold[i] < 0;
       out.weights_2d[i] = static_cast<double>(fragment.weights[i]);
       out.weights[i] = static_cast<double>(weights[i]);
-      out.z_2d += out.weights_2d[i] * static_cast<double>(near.triangle.z[i]);
+      out.z_2d += out.weights_2d[i] * static_cast<double>(setup.triangle->z[i]);
     }
     const int slot = setup.surface->layout.uv;
     if (slot == AttributeLayout::absent) return out;
     out.uv = out.uv_2d = Vec2d(0);
     for (std::size_t i = 0; i < 3; ++i) {
       const Real* a = setup.attributes + i * static_cast<std::size_t>(setup.surface->layout.count) + slot;
-      const double back = pass_.divides() ? static_cast<double>(near.triangle.z[i]) : 1.0;
+      const double back = pass_.divides() ? static_cast<double>(setup.triangle->z[i]) : 1.0;
       const Vec2d corner = Vec2d(static_cast<double>(a[0]), static_cast<double>(a[1])) * back;
       *out.uv += out.weights[i] * corner;
       *out.uv_2d += out.weights_2d[i] * corner;
@@ -208,39 +269,12 @@ class FragmentsIn final : public Microscope::Fragments {
     return out;
   }
 
-  /// The triangle that is seen where several cover a point: the nearest, or with no depth buffer the last one drawn.
-  /// Those of the canvas, which are last, lie over all others.
-  int front_of(const std::vector<ps::MicroTriangle>& triangles) const {
-    const bool nearest = pass_.settings.visibility == Visibility::depth_buffer;
-    int front = -1;
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      if (!triangles[i].covered) continue;
-      if (front < 0 || !nearest || triangles[i].on_canvas ||
-          triangles[i].z < triangles[static_cast<std::size_t>(front)].z)
-        front = static_cast<int>(i);
-    }
-    return front;
-  }
-
-  template <class Covers>
-  MicroSample sample_at(const Vec2d& place, Covers covers) const {
-    MicroReading reading = read(place);
-    for (std::size_t i = 0; i < near_.size(); ++i)
-      reading.triangles[i].covered = covers(near_[i], *make_edges(near_[i].triangle.corners, pass_.grid));
-    for (std::size_t i = 0; i < on_canvas_.size(); ++i)
-      if (on_canvas_[i].rows) reading.triangles[near_.size() + i].covered = *on_canvas_[i].rows;
-    const int front = front_of(reading.triangles);
-    if (front < 0) return {place, false, "the background", -1};
-    return {place, true, reading.triangles[static_cast<std::size_t>(front)].name, -1};
-  }
-
   std::optional<MicroTexture> texture_of(const NearTriangle<Real>& near, const CoverageGrid& grid) const {
     const Surface<Real>& surface = pass_.surfaces[near.triangle.surface];
     const int index = surface.material.texture;
     if (surface.layout.uv == AttributeLayout::absent || !pass_.settings.textures || index < 0) return {};
-    const auto edges = make_edges(near.triangle.corners, grid);
-    const TriangleSetup<Real> setup = set_up(near, *edges);
-    const Fragment<Real> fragment = make_fragment(pass_, setup, pixel_.x, pixel_.y, edges->at(pixel_.x, pixel_.y));
+    const TriangleSetup<Real> setup = set_up(near, edges_of(near, grid));
+    const Fragment<Real> fragment = make_fragment(pass_, setup, pixel_.x, pixel_.y, setup.edges.at(pixel_.x, pixel_.y));
     const Vec2<Real> uv{interpolate(pass_, setup, fragment, surface.layout.uv),
                         interpolate(pass_, setup, fragment, surface.layout.uv + 1)};
     TexturePlace<Real> place{uv, uv};

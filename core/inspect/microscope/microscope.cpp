@@ -12,6 +12,7 @@
 #include "inspect/microscope/texels.h"
 #include "inspect/vertex_chain.h"
 #include "options/renderer_kind.h"
+#include "raster/clear/canvas_items.h"
 #include "render/render.h"
 #include "render/renderer_table.h"
 #include "render/story/names.h"
@@ -57,6 +58,7 @@ Microscope::Microscope(Scene scene, const View& view, const Settings& settings, 
     }
     fragments_ = make_micro_fragments(scene_, view, settings, pixel, prepared, progress);
     samples_ = fragments_->samples();
+    find_line(prepared, progress);
     break;
   case PictureWay::rays:
     find_ray_samples(prepared, progress);
@@ -133,9 +135,32 @@ void Microscope::find_driver_sample(Prepared& prepared, Progress& progress) {
                       seen.object < 0 ? nothing_seen : primitive_name(scene_, seen), shown});
 }
 
+/// A line paints whole pixels, so that no point of the pixel shows what lies below it.
+void Microscope::find_line(Prepared& prepared, Progress& progress) {
+  if (settings_.draw == Draw::filled && raster::count_canvas_lines(scene_) == 0) return;
+  const LineEvent* line = nullptr;
+  const PixelStory story = inspect(scene_, view_, settings_, pixel_, prepared, progress);
+  for (const Event& event : story.events) {
+    if (std::holds_alternative<WriteEvent>(event.data)) line = nullptr;
+    if (const auto* drawn = std::get_if<LineEvent>(&event.data)) line = drawn;
+  }
+  if (!line) return;
+  line_ = line_name(scene_, *line);
+  for (MicroSample& sample : samples_) sample = {sample.position, true, line_, -1};
+}
+
 MicroReading Microscope::read(const Vec2d& point, Prepared& prepared, Progress& progress) const {
-  if (fragments_) return fragments_->read(point);
   MicroReading reading;
+  if (fragments_) {
+    reading = fragments_->read(point);
+    const Vec2d at = reading.point;
+    if (line_.empty() || std::min(at.x, at.y) < 0 || std::max(at.x, at.y) > 1)
+      return reading;  // the sample may be a corner
+    reading.seen = line_;
+    reading.front = -1;
+    reading.texture.reset();
+    return reading;
+  }
   reading.point = point;
   const EnlargedView narrow = enlarge(view_, settings_, Vec2d(pixel_) + point - ray_window / 2, ray_window, 1);
   reading.ray = inspect(scene_, narrow.view, narrow.settings, {0, 0}, prepared, progress);

@@ -33,9 +33,12 @@ struct MicroTriangle {
   double z = 0;                        ///< camera space, as the kernel has it
   double z_2d = 0;                     ///< the vertices' z by the weights of the screen: not where the surface is
   std::optional<Vec2d> uv, uv_2d;      ///< perspective-correct, and by the weights of the screen
+  std::optional<double> depth;         ///< encoded, as the depth buffer compares it; nothing where it compares none
   bool covered = false;
+  bool cut_out = false;  ///< an opacity map leaves nothing of it at the point
   bool back_face = false;
   bool on_canvas = false;  ///< drawn flat, after the scene: no depth, and no weights but those of the screen
+  bool is_drawn() const { return covered && !cut_out; }
 };
 
 /// A level of a texture around the place that was read. Places are in texels of the level from the top left of the
@@ -65,7 +68,7 @@ struct MicroReading {
   int front = -1;                        ///< of them, the one that would be seen at the point; -1 = none
   std::optional<PixelStory> ray;        ///< of the ray through the point (ray tracer), or of a pixel around it (driver)
   std::optional<MicroTexture> texture;  ///< read by the triangle in front, or where the ray hits
-  std::string seen;                     ///< "triangle 7 of cube 1", "the background"
+  std::string seen;                     ///< "triangle 7 of cube 1", "an edge of cube 1", "the background"
 };
 
 /// One of the pixel's own samples.
@@ -117,6 +120,7 @@ class Microscope {
   bool has_edge() const;
   void find_ray_samples(Prepared& prepared, Progress& progress);
   void find_driver_sample(Prepared& prepared, Progress& progress);
+  void find_line(Prepared& prepared, Progress& progress);
 
   Scene scene_;
   View view_;
@@ -128,6 +132,7 @@ class Microscope {
   std::vector<MicroSample> samples_;
   std::optional<PixelSurroundings> surroundings_;
   std::unique_ptr<Fragments> fragments_;  // null for rays
+  std::string line_;                      // that lies over the whole pixel; empty: none
 };
 
 }  // namespace ps

@@ -111,7 +111,9 @@ MicroDrawing pixel_drawing(const Microscope& microscope, const MicroReading& rea
     if (i != chosen) add_triangle(drawing, triangle(i), i, false);
   if (chosen >= 0) add_triangle(drawing, triangle(chosen), chosen, true);
   for (int i = 0; i < count; ++i) add_owners(drawing, triangle(i), i, i == chosen);
-  for (int i = 0; i < count; ++i) add_name(drawing, triangle(i), i, i == chosen);
+  for (int i = 0; i < count; ++i)
+    if (i != chosen) add_name(drawing, triangle(i), i, false);
+  if (chosen >= 0) add_name(drawing, triangle(chosen), chosen, true);
   for (const MicroSample& sample : microscope.samples()) {
     drawing.items.push_back(
         {sample.lit ? MicroKind::sample_lit : MicroKind::sample_unlit, MicroShape::dot, {sample.position}});

@@ -34,7 +34,9 @@ std::vector<MicroTable> triangle_tables(const MicroTriangle& triangle) {
     there.rows.push_back(numbers("u", triangle.uv_2d->x, triangle.uv->x));
     there.rows.push_back(numbers("v", triangle.uv_2d->y, triangle.uv->y));
   }
-  return {corners, there};
+  if (!triangle.depth) return {corners, there};
+  const std::array<double, 1> compared{*triangle.depth};
+  return {corners, there, {{"as compared"}, {numbers("depth", compared)}}};
 }
 
 int shown_triangle(const MicroReading& reading, int selected) {

@@ -1,6 +1,7 @@
 #include "raster/clear/draw_primitives.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "raster/clear/canvas_items.h"
 #include "raster/clear/coverage/explain.h"
@@ -167,29 +168,28 @@ class TriangleDrawer {
     const Fragment<Real> fragment = make_fragment(pass_, setup_, column, row, middle);
     std::array<bool, 8> visible{};
     int covered = 0;
-    int passed = 0;
-    Real first_stored = 0, first_depth = 0;
-    for (std::size_t s = 0; s < pattern.size(); ++s) {
-      const auto values = sub.at(middle, pattern[s]);
-      if (!sub.inside(values)) continue;
-      visible[s] = true;
-      if (depth_buffer_) {
-        count_depth_test();
-        const Real depth = pass_.depth.encode(depth_value(pass_, setup_, sample_fragment(sub, column, row, values),
-                                                          place_in_pixel(pattern[s], pass_.grid.sample)));
-        Real& stored = target_.sample_depth(column, row, static_cast<int>(s));
-        if (covered == 0) first_stored = stored, first_depth = depth;
-        visible[s] = is_nearer(pass_.depth, depth, stored);
-        if (visible[s]) stored = depth;
-      }
-      ++covered;
-      passed += visible[s];
-    }
+    for (std::size_t s = 0; s < pattern.size(); ++s) covered += visible[s] = sub.inside(sub.at(middle, pattern[s]));
     if (covered == 0) {
       if constexpr (Recorder::records) recorder_.event([&] { return not_covered_event(pass_, setup_, middle); });
       return;
     }
     if (is_cut_out(pass_, setup_, fragment, recorder_)) return report_cut_out(middle);
+    int passed = 0;
+    std::optional<Real> first_stored, first_depth;
+    for (std::size_t s = 0; s < pattern.size(); ++s) {
+      if (!visible[s]) continue;
+      if (depth_buffer_) {
+        count_depth_test();
+        const auto at_sample = sub_sample_fragment(pass_, setup_, sub, column, row, sub.at(middle, pattern[s]));
+        const Real depth =
+            pass_.depth.encode(depth_value(pass_, setup_, at_sample, place_in_pixel(pattern[s], pass_.grid.sample)));
+        Real& stored = target_.sample_depth(column, row, static_cast<int>(s));
+        if (!first_depth) first_stored = stored, first_depth = depth;
+        visible[s] = is_nearer(pass_.depth, depth, stored);
+        if (visible[s]) stored = depth;
+      }
+      passed += visible[s];
+    }
     recorder_.count(Counter::fragments);
     recorder_.count(Counter::subsamples, static_cast<std::uint64_t>(covered));
     recorder_.count(Counter::depth_failures, static_cast<std::uint64_t>(covered - passed));
@@ -198,20 +198,14 @@ class TriangleDrawer {
       const auto verdict = !depth_buffer_ ? FragmentEvent::Depth::off
                            : passed > 0   ? FragmentEvent::Depth::passed
                                           : FragmentEvent::Depth::failed;
-      FragmentEvent event = fragment_event(pass_, setup_, fragment, middle, verdict, first_stored, first_depth);
+      FragmentEvent event =
+          fragment_event(pass_, setup_, fragment, middle, verdict, first_stored.value_or(0), first_depth.value_or(0));
       event.samples = pass_.grid.samples;
       event.samples_covered = covered;
       return event;
     });
     if (passed > 0) write_samples(fragment, visible);
     recorder_.end();
-  }
-  /// The fragment at a sub-sample. The scale is a power of two, so dividing by it loses nothing.
-  Fragment<Real> sample_fragment(const SubSampleEdges& sub, int column, int row,
-                                 const std::array<std::int64_t, 3>& values) const {
-    TriangleSetup<Real> setup = setup_;
-    setup.inverse_area = setup_.inverse_area / static_cast<Real>(sub.scale);
-    return make_fragment(pass_, setup, column, row, values);
   }
   void write_samples(const Fragment<Real>& fragment, const std::array<bool, 8>& visible) {
     const ShadedFragment<Real> shaded = shade_fragment(pass_, geometry_, setup_, fragment, recorder_);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "raster/clear/depth_plane.h"
+#include "raster/clear/multisample.h"
 #include "raster/clear/screen_triangle.h"
 #include "raster/pass.h"
 
@@ -48,6 +49,14 @@ inline Fragment<Real> make_fragment(const Pass<Real>& pass, const TriangleSetup<
     fragment.inverse_z = Real(1) / fragment.z;
   }
   return fragment;
+}
+
+/// The fragment at a sub-sample with these values. The scale is a power of two, so dividing by it loses nothing.
+template <class Real>
+inline Fragment<Real> sub_sample_fragment(const Pass<Real>& pass, TriangleSetup<Real> setup, const SubSampleEdges& sub,
+                                          int column, int row, const std::array<std::int64_t, 3>& values) {
+  setup.inverse_area /= static_cast<Real>(sub.scale);
+  return make_fragment(pass, setup, column, row, values);
 }
 
 /// Weights in space: of the point that is seen, in terms of the vertices.

@@ -53,6 +53,11 @@ std::string primitive_name(const Scene& scene, const PixelId& id) {
   return fmt::format("triangle {} of {}", id.triangle, name);
 }
 
+std::string line_name(const Scene& scene, const LineEvent& line) {
+  if (line.id.object < 0) return "a line";
+  return fmt::format("{} of {}", line.from == line.to ? "a vertex" : "an edge", primitive_name(scene, line.id));
+}
+
 std::string light_name(const Scene& scene, int light) {
   if (light < 0 || static_cast<std::size_t>(light) >= scene.lights->size()) return fmt::format("light {}", light);
   const LightKind kind = (*scene.lights)[static_cast<std::size_t>(light)].kind;

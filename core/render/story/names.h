@@ -2,6 +2,7 @@
 #include <string>
 
 #include "frame/frame.h"
+#include "record/events.h"
 #include "scene/scene.h"
 
 namespace ps {
@@ -16,6 +17,8 @@ std::string object_name(const Scene& scene, int object);
 /// The object, or "triangle 7 of cube 1" where it is made of triangles. The object alone for an id without a
 /// triangle; "nothing" for an empty id.
 std::string primitive_name(const Scene& scene, const PixelId& id);
+/// "an edge of triangle 7 of cube 1", "a vertex of ..." or "a line", which lies on the canvas.
+std::string line_name(const Scene& scene, const LineEvent& line);
 /// "light 2 (point)"; `light` is an index into Scene::lights.
 std::string light_name(const Scene& scene, int light);
 

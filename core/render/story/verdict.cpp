@@ -210,8 +210,7 @@ std::string fragment_verdict(const PixelStory& story, const Scene& scene) {
     return fmt::format("nothing is drawn here: background ({})", joined(parts));
   }
   if (line)
-    parts.push_back(line->id.object >= 0 ? fmt::format("an edge of {} won", primitive_name(scene, line->id))
-                                         : std::string("a line won"));
+    parts.push_back(line_name(scene, *line) + " won");
   else if (write->id.object >= 0)
     parts.push_back(fmt::format("{} won", primitive_name(scene, write->id)));
   else

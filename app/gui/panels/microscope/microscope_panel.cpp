@@ -157,10 +157,13 @@ void triangle_list(Session& session, const MicroscopePanelState& state, const Mi
     }
     const MicroTriangle& triangle = reading.triangles[i];
     const int index = static_cast<int>(i);
-    const std::string_view fate = index == reading.front ? "in front" : triangle.covered ? "covers" : "does not cover";
-    const std::string text =
-        fmt::format("{}  {}: {}{}", i + 1, triangle.name, fate,
-                    triangle.covered && !triangle.on_canvas ? ", z " + ps::number_text(triangle.z) : "");
+    const std::string_view fate = index == reading.front ? "in front"
+                                  : !triangle.covered    ? "does not cover"
+                                  : triangle.cut_out     ? "cut out by an opacity map"
+                                                         : "covers";
+    std::string text = fmt::format("{}  {}: {}", i + 1, triangle.name, fate);
+    if (triangle.is_drawn() && !triangle.on_canvas) text += ", z " + ps::number_text(triangle.z);
+    if (triangle.is_drawn() && triangle.depth) text += ", depth " + ps::number_text(*triangle.depth);
     if (!tree_row(fmt::format("triangle/{}", i), text, TreeKind::leaf, index == chosen).clicked) continue;
     click_triangle(session, index);
     const int event = story ? event_of_triangle(*story, triangle) : -1;
