@@ -241,6 +241,11 @@ void App::Parts::offer_values() {
   offer_unsafe_values(values(), my.unsafe);
   for (const Panel& panel : panels)
     if (panel.publish) panel.publish(values());
+  values().offer("actions", [this] {
+    std::string names;
+    for (const Action& action : shell.actions().all()) names += (names.empty() ? "" : " ") + action.name;
+    return names;
+  });
   values().offer("window/cut", [] { return fit_watch().cut(); });
   values().offer("window/overlap", [] { return fit_watch().overlap(); });
   values().offer("scenes/open", [this] { return my.scenes.open; });
