@@ -9,7 +9,7 @@ build_packages=(
   cmake fonts-inter fonts-jetbrains-mono g++ libcli11-dev libembree-dev libepoxy-dev libfmt-dev libfreetype-dev libglm-dev libhwy-dev
   libimgui-dev libmd4c-dev libsdl2-dev libstb-dev libtinyobjloader-dev ninja-build nlohmann-json3-dev pkgconf
 )
-window_packages=(libegl1 libgl1 libgl1-mesa-dri)  # OpenGL for the window, in software if need be
+window_packages=(bubblewrap libegl1 libgl1 libgl1-mesa-dri)  # shuts listings off; OpenGL, in software if need be
 display_packages=(xvfb)                           # a display where there is none
 test_packages=(clang-format libgtest-dev librapidcheck-dev openbox xdotool)
 sanitizer_packages=(clang libclang-rt-dev)        # a compiler whose sanitizers and fuzzer are used

@@ -71,6 +71,7 @@ int run_check(const ListingArguments& arguments) {
   std::optional<Vec2i> pixel;
   if (!arguments.pixel.empty()) pixel = parse_pixel_text(arguments.pixel);
   ListingPermits permits;  // whoever names a file on a command line asks for it to be run
+  fmt::print("{}\n", protection_sentence());
   const Compilation compilation = compile_listing(permits.permit(arguments.file), {}, &interruptible_progress());
   print_messages(compilation, arguments.file);
   if (!compilation.program) {
@@ -116,7 +117,8 @@ void add_listing_command(CLI::App& app, Action& chosen) {
   copy->callback([&chosen, arguments] { chosen = [arguments] { return run_copy(*arguments); }; });
 
   CLI::App* run = command->add_subcommand(
-      "run", "compile a copy, run it with your rights, and compare its picture with that of the listing");
+      "run", "compile a copy, run it (shut off from your files and the network where bubblewrap works, else with your "
+             "rights), and compare its picture with that of the listing");
   run->add_option("FILE", arguments->file, "the file")->required();
   add_scene_arguments(*run, arguments->scene);
   run->add_option("--pixel", arguments->pixel, "show the values that its lines have for this pixel")

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <optional>
@@ -9,6 +10,7 @@
 #include "added_renderers.h"
 #include "base/check.h"
 #include "base/failure_text.h"
+#include "base/foreign_text.h"
 #include "base/progress.h"
 #include "base/spelling.h"
 #include "base/standard_output.h"
@@ -25,8 +27,9 @@ constexpr int interrupted = 130;
 int fail(std::string message, int status) {
   constexpr std::size_t longest = 4000;
   if (message.size() > longest) message = message.substr(0, longest) + "...";
-  for (char& c : message)
-    if (c == '\n' || c == '\r') c = ' ';
+  std::replace_if(
+      message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  message = ps::foreign_text(message);                                       // it may quote a file
   std::fputs(fmt::format("pixelscope-cli: {}\n", message).c_str(), stderr);  // fmt::print would throw where that fails
   return status;
 }

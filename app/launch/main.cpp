@@ -1,6 +1,6 @@
 // pixelscope-launch: starts a program with limits and ends it, with everything that it started, when it is done,
-// exceeds one of them, or whoever called goes away. It links nothing of Pixelscope, so that it starts in a millisecond
-// and its memory holds nothing worth reading.
+// exceeds one of them, or whoever called goes away. It links nothing of Pixelscope but one small file, so that it
+// starts in a millisecond and its memory holds nothing worth reading.
 //
 //   pixelscope-launch FOLDER PROCESSOR-MS MS MEMORY PROCESSES FILE-BYTES USER PROGRAM ARGUMENT...
 //
@@ -23,7 +23,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "launch/descendants.h"
+#include "base/descendants.h"
 #include "launch/folder_size.h"
 #include "launch/limits.h"
 
@@ -76,7 +76,7 @@ void close_from(int first) {
     pollfd waiting[] = {{control, POLLIN, 0}, {children, POLLIN, 0}};
     poll(waiting, 2, milliseconds_of_a_look);
     if (waiting[0].revents != 0) {  // nothing is ever sent this way: the caller is gone or wants an end
-      launch::end_descendants(child);
+      ps::end_descendants(getpid(), child);
       _exit(0);
     }
     if (waiting[1].revents != 0) {
@@ -86,18 +86,18 @@ void close_from(int first) {
     int status = 0;
     for (pid_t ended = 0; (ended = waitpid(-1, &status, WNOHANG)) > 0;) {
       if (ended != child) continue;
-      launch::end_descendants(child);
+      ps::end_descendants(getpid(), child);
       if (WIFSIGNALED(status)) answer("signalled", WTERMSIG(status));
       answer("exited", WEXITSTATUS(status));
     }
     const char* exceeded = nullptr;
     if (Clock::now() >= end) exceeded = "time";
-    const launch::Descendants running = launch::descendants();
+    const ps::Descendants running = ps::descendants(getpid());
     if (running.resident > limits.memory) exceeded = "memory";
     if (running.processes.size() > limits.processes) exceeded = "processes";
     if (launch::holds_more_than(".", limits.file_bytes)) exceeded = "files";
     if (!exceeded) continue;
-    launch::end_descendants(child);
+    ps::end_descendants(getpid(), child);
     answer(exceeded, 0);
   }
 }

@@ -1,12 +1,13 @@
 #include "student/compile_listing.h"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <cstdlib>
+#include <fmt/format.h>
 
 #include "base/atomic_file.h"
-#include "base/resources.h"
+#include "base/foreign_text.h"
+#include "base/read_file.h"
+#include "student/find_program.h"
+#include "student/listing_kit.h"
 
 namespace ps {
 namespace {
@@ -30,11 +31,18 @@ std::vector<std::string> compiler_command(const std::filesystem::path& compiler)
           "-Wall",
           "-Wno-unused",
           "-fdiagnostics-color=never",
-          "-I" + header_dir().string(),
+          std::string("-I") + kit_headers,
           source_name,
-          listing_library().string(),
+          kit_library,
           "-o",
           program_name};
+}
+
+/// What a compiler outside the system's folders needs to see: the folder that holds its bin/.
+std::vector<std::filesystem::path> folders_of_compiler(const std::filesystem::path& compiler) {
+  const std::filesystem::path place = std::filesystem::weakly_canonical(compiler).parent_path().parent_path();
+  if (place.empty() || place == "/" || place.string().starts_with("/usr")) return {};
+  return {place};
 }
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
@@ -67,19 +75,6 @@ std::string why_no_program(const Launched& launched, const CompileOptions& optio
 
 }  // namespace
 
-std::filesystem::path find_program(const std::vector<std::string>& names, const std::string& search_path) {
-  for (const std::string& name : names)
-    for (std::size_t begin = 0; begin < search_path.size();) {
-      const std::size_t end = std::min(search_path.find(':', begin), search_path.size());
-      std::filesystem::path file = std::filesystem::path(search_path.substr(begin, end - begin)) / name;
-      std::error_code error;
-      if (file.is_absolute() && std::filesystem::is_regular_file(file, error) && access(file.c_str(), X_OK) == 0)
-        return file;
-      begin = end + 1;
-    }
-  return {};
-}
-
 Compilation compile_listing(const PermittedListing& listing, const CompileOptions& options, const Progress* progress) {
   Compilation done;
   done.source = read_whole_file(listing.file(), largest_source);
@@ -92,15 +87,19 @@ Compilation compile_listing(const PermittedListing& listing, const CompileOption
     return done;
   }
   const auto program = std::make_shared<ListingProgram>();
-  const std::filesystem::path folder = program->folder.path();
+  const std::filesystem::path folder = program->folder.empty_folder("compile");
+  put_listing_kit(folder);
   write_file_atomically(folder / source_name, done.source, Durability::quick);
+  give_to_nobody(folder);
   const Launch what{
       .command = compiler_command(compiler),
       .environment = {"PATH=" + search_path, "TMPDIR=" + folder.string(), "HOME=" + folder.string(), "LC_ALL=C"},
       .folder = folder,
       .input = {},
       .limits = options.limits};
-  const Launched launched = launch(what, progress);
+  // What a source includes (.incbin, #include) is read with the compiler's rights, so it gets no more than the program.
+  Launched launched = launch_isolated(what, folders_of_compiler(compiler), options.isolation, progress);
+  launched.text = foreign_text(launched.text);
   done.seconds = launched.seconds;
   done.messages = compiler_messages(launched.text);
   done.failure = why_no_program(launched, options, done.messages);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "student/launch.h"
+#include "student/isolate.h"
 #include "student/own_listing.h"
 #include "student/private_folder.h"
 
@@ -36,15 +36,13 @@ struct Compilation {
 struct CompileOptions {
   /// A compiler may take long and need much: 20 s, 2 GB.
   LaunchLimits limits{.processor_seconds = 21, .seconds = 20, .memory = std::uint64_t{2} << 30};
-  std::optional<std::string> search_path{};  ///< where compilers are looked for; nothing = PATH
+  std::optional<std::string> search_path{};  ///< where compilers are looked for; nullopt = PATH
+  Isolation isolation = Isolation::bubblewrap_if_installed;
 };
 
-/// The first program of these names in the folders of a search path ("/usr/bin:/bin"); empty if there is none.
-std::filesystem::path find_program(const std::vector<std::string>& names, const std::string& search_path);
-
-/// Compiles the file as it is now with the system's C++ compiler (c++, g++ or clang++), which runs as a child process.
-/// What is wrong with the file or the compiler is in the result. Throws Cancelled, and InputError where the file cannot
-/// be read.
+/// Compiles the file as it is now with the system's C++ compiler (c++, g++ or clang++), which runs as a child process
+/// with no more rights than the program gets. What is wrong with the file or the compiler is in the result. Throws
+/// Cancelled, and InputError where the file cannot be read.
 Compilation compile_listing(const PermittedListing& listing, const CompileOptions& options = {},
                             const Progress* progress = nullptr);
 

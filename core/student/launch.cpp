@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/descendants.h"
 #include "base/number_text.h"
 #include "base/resources.h"
 #include "base/timer.h"
@@ -20,6 +21,8 @@ namespace {
 constexpr std::size_t most_text_kept = 64 << 10;
 constexpr int milliseconds_between_looks = 20;   // whether to stop
 constexpr int milliseconds_after_the_end = 500;  // for what is still in the pipes
+constexpr int milliseconds_of_grace = 2000;      // for the launcher to end what has had its time
+constexpr int milliseconds_to_leave = 1000;      // for the launcher to end all when it is asked to
 
 constexpr uid_t nobody = 65534;
 
@@ -33,7 +36,8 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
 
 std::string milliseconds_text(double seconds) { return std::to_string(std::llround(seconds * 1000)); }
 
-/// The launcher's process. Ends all that it started, and waits for that, when it goes.
+/// The launcher's process. Ends all that it started, and waits for that, when it goes. A program without isolation can
+/// stop the launcher as it can stop any process of this user, so nothing here waits for it without a limit.
 class LauncherProcess {
  public:
   explicit LauncherProcess(const Launch& what) {
@@ -80,8 +84,14 @@ class LauncherProcess {
   ~LauncherProcess() {
     control.ours.close();
     if (process_ < 0) return;
-    int status = 0;
-    while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+    for (const Timer waited; waited.milliseconds() < milliseconds_to_leave;) {
+      const pid_t ended = waitpid(process_, nullptr, WNOHANG);
+      if (ended == process_ || (ended < 0 && errno != EINTR)) return;
+      poll(nullptr, 0, 1);
+    }
+    end_descendants(process_);  // before their launcher, which keeps hold of those that lost their parent
+    kill(process_, SIGKILL);
+    while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
     }
   }
   LauncherProcess(const LauncherProcess&) = delete;
@@ -166,8 +176,13 @@ class LaunchedOutput {
 }  // namespace
 
 void give_to_nobody(const std::filesystem::path& folder) {
-  if (geteuid() == 0 && chown(folder.c_str(), nobody, nobody) != 0)
-    throw InputError(fmt::format("{} cannot be given to another user: {}", folder.string(), std::strerror(errno)));
+  if (geteuid() != 0) return;
+  const auto give = [](const std::filesystem::path& place) {
+    if (lchown(place.c_str(), nobody, nobody) != 0)
+      throw InputError(fmt::format("{} cannot be given to another user: {}", place.string(), std::strerror(errno)));
+  };
+  give(folder);
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) give(entry.path());
 }
 
 Launched launch(const Launch& what, const Progress* progress) {
@@ -178,6 +193,11 @@ Launched launch(const Launch& what, const Progress* progress) {
   std::string verdict;
   while (process.control.ours.number() >= 0) {
     if (progress) progress->check();
+    if (timer.milliseconds() > what.limits.seconds * 1000 + milliseconds_of_grace) {
+      launched.end = LaunchEnd::time;
+      launched.seconds = timer.milliseconds() / 1000;
+      return launched;
+    }
     std::array<pollfd, 3> waiting{{{process.control.ours.number(), POLLIN, 0},
                                    {process.text.out.number(), POLLIN, 0},
                                    {process.result.out.number(), POLLIN, 0}}};

@@ -8,8 +8,9 @@
 
 namespace ps {
 
-/// What a program that is started, and all that it starts, may use. Whoever exceeds one of them is ended, and so is
-/// everything that began below it.
+/// What a program that is started, and all that it starts, may use. A program that exceeds one of them is ended, with
+/// everything that began below it. These limits stop mistakes. Without isolation, a program that means harm can leave
+/// shared memory and files outside its folder behind, or end its launcher and go on without limits.
 struct LaunchLimits {
   double processor_seconds = 10;                  ///< of each process, in whole seconds
   double seconds = 20;                            ///< by the clock
@@ -32,7 +33,8 @@ struct Launch {
   LaunchRights rights = LaunchRights::own;
 };
 
-/// Gives a folder to the user who gets a program of root's with LaunchRights::nobody_for_root; nothing for others.
+/// Gives a folder and all in it to the user who gets a program of root's with LaunchRights::nobody_for_root. Does
+/// nothing for other users.
 void give_to_nobody(const std::filesystem::path& folder);
 
 /// How a launched program ended.

@@ -28,17 +28,18 @@ bool write_new_file(const fs::path& path, const std::string& text) {
     if (errno == EEXIST) return false;
     throw InputError(fmt::format("{} cannot be written: {}", path.string(), std::strerror(errno)));
   }
-  if (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() || std::fflush(file.get()) != 0)
-    throw InputError(fmt::format("{} cannot be written: {}", path.string(), std::strerror(errno)));
+  if (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() || std::fflush(file.get()) != 0) {
+    const int reason = errno;
+    std::remove(path.c_str());  // half a copy would take the name of a whole one
+    throw InputError(fmt::format("{} cannot be written: {}", path.string(), std::strerror(reason)));
+  }
   return true;
 }
 
 }  // namespace
 
 std::string_view own_rights_sentence() {
-  return "This file is compiled and run as a program of yours: it may do whatever you may do on this computer. Go on "
-         "only "
-         "if you know what is in it.";
+  return "This file is compiled and run as a program of yours. Go on only if you know what is in it.";
 }
 
 fs::path own_listings_folder() {

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "base/foreign_text.h"
 #include "student/bytes.h"
 #include "student/result_bytes.h"
 
@@ -42,7 +43,7 @@ WatchValue get_value(ByteReader& from) {
   case 4:
     return from.get<Vec3d>();
   case 5:
-    return from.get_text(longest_watch_text);
+    return foreign_text(from.get_text(longest_watch_text));
   default:
     refuse("a value of an unknown kind", "a truth value, a number, a vector or a text");
   }
@@ -51,7 +52,9 @@ WatchValue get_value(ByteReader& from) {
 OwnTrace get_trace(ByteReader& from) {
   OwnTrace trace;
   const auto names = std::make_shared<std::set<std::string>>();
-  const auto name = [&]() -> std::string_view { return *names->insert(from.get_text(longest_watch_name)).first; };
+  const auto name = [&]() -> std::string_view {
+    return *names->insert(foreign_text(from.get_text(longest_watch_name))).first;
+  };
   trace.colour = from.get<Vec3d>();
   const std::size_t instances = count_of(from, "instances");
   for (std::size_t i = 0; i < instances; ++i) {

@@ -7,10 +7,29 @@
 
 #include <cerrno>
 #include <cstring>
+#include <utility>
+#include <vector>
 
 #include "base/check.h"
 
 namespace ps {
+namespace {
+
+/// Lets this user read and change a folder and all folders in it, as far as it is theirs.
+void open_folders(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  std::vector<std::filesystem::path> waiting{folder};
+  while (!waiting.empty()) {
+    const std::filesystem::path place = std::move(waiting.back());
+    waiting.pop_back();
+    std::filesystem::permissions(place, std::filesystem::perms::owner_all, std::filesystem::perm_options::add, ignored);
+    for (const auto& entry : std::filesystem::directory_iterator(place, ignored))
+      if (entry.symlink_status(ignored).type() == std::filesystem::file_type::directory)
+        waiting.push_back(entry.path());
+  }
+}
+
+}  // namespace
 
 PrivateFolder::PrivateFolder() {
   std::error_code error;
@@ -26,8 +45,11 @@ PrivateFolder::PrivateFolder() {
 }
 
 PrivateFolder::~PrivateFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
+  std::error_code error;
+  std::filesystem::remove_all(path_, error);
+  if (!error) return;
+  open_folders(path_);  // a program may have taken its own rights to them away
+  std::filesystem::remove_all(path_, error);
 }
 
 std::filesystem::path PrivateFolder::empty_folder(const char* name) const {

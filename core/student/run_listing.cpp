@@ -5,13 +5,12 @@
 
 #include "base/atomic_file.h"
 #include "base/check.h"
-#include "student/isolate.h"
+#include "base/foreign_text.h"
 
 namespace ps {
 namespace {
 
 constexpr int threw = 3, no_memory = 4;  // exit statuses of student/runtime/main.cpp
-constexpr int signal_base = 128;         // bubblewrap adds it to the number of the signal
 
 std::string size_text(std::uint64_t bytes) {
   const std::uint64_t megabytes = bytes >> 20;
@@ -73,20 +72,6 @@ std::string why_it_failed(const Launched& launched, const LaunchLimits& limits) 
   return {};
 }
 
-/// bubblewrap ends with an exit status where the program was ended by a signal.
-void undo_isolation(Launched& launched) {
-  if (launched.end != LaunchEnd::exited || launched.status <= signal_base) return;
-  launched.status -= signal_base;
-  launched.end = launched.status == SIGXCPU ? LaunchEnd::processor_time : LaunchEnd::signalled;
-}
-
-/// Text of unknown origin with nothing in it but lines of readable signs.
-std::string printable(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t') c = '?';
-  return text;
-}
-
 }  // namespace
 
 OwnRun run_listing(const ListingProgram& program, const BookScene& scene, const ListingTask& task,
@@ -99,17 +84,12 @@ OwnRun run_listing(const ListingProgram& program, const BookScene& scene, const 
               .environment = {},
               .folder = folder,
               .input = input,
-              .limits = options.limits,
-              .rights = LaunchRights::nobody_for_root};
+              .limits = options.limits};
   what.limits.result_bytes = most_result_bytes(scene.width, scene.height, task);
-  std::vector<std::string> isolated;
-  if (options.isolation == Isolation::bubblewrap_if_installed) isolated = isolated_command(program.file, folder);
-  if (!isolated.empty()) what.command = isolated;
-  Launched launched = launch(what, progress);
-  if (!isolated.empty()) undo_isolation(launched);
+  Launched launched = launch_isolated(what, {program.file}, options.isolation, progress);
   OwnRun run;
   run.seconds = launched.seconds;
-  run.text = printable(std::move(launched.text));
+  run.text = foreign_text(launched.text);
   launched.text = run.text;
   run.text_cut = launched.text_cut;
   run.failure = why_it_failed(launched, options.limits);

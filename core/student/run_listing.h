@@ -4,12 +4,6 @@
 
 namespace ps {
 
-/// What shuts the program off besides its limits.
-enum class Isolation {
-  bubblewrap_if_installed,  ///< sees no network and no files but its own and the system's libraries
-  limits_only
-};
-
 struct RunOptions {
   LaunchLimits limits{};
   Isolation isolation = Isolation::bubblewrap_if_installed;
@@ -28,8 +22,5 @@ struct OwnRun {
 /// be started.
 OwnRun run_listing(const ListingProgram& program, const BookScene& scene, const ListingTask& task,
                    const RunOptions& options = {}, const Progress* progress = nullptr);
-
-/// Whether a program of ours can be run in bubblewrap on this machine; found out once.
-bool bubblewrap_works();
 
 }  // namespace ps

@@ -106,6 +106,42 @@ TEST(Launch, NoOrphanStays) {
   EXPECT_EQ(processes_with("pixelscope-orphan"), 0);
 }
 
+/// Without isolation a program may stop any process of its user, its launcher too. The caller's clock ends both.
+TEST(Launch, AStoppedLauncherIsEnded) {
+  const ScratchFolder folder;
+  LaunchLimits limits = short_limits();
+  limits.seconds = 0.5;
+  const Launch what{.command = {"/bin/sh", "-c", "kill -STOP $PPID; sleep 60 # pixelscope-stopper"},
+                    .environment = {},
+                    .folder = folder.path(),
+                    .input = {},
+                    .limits = limits,
+                    .rights = LaunchRights::own};
+  const Launched done = launch(what);
+  EXPECT_EQ(done.end, LaunchEnd::time);
+  EXPECT_LT(done.seconds, 20);
+  EXPECT_EQ(processes_with("pixelscope-stopper"), 0);
+  EXPECT_EQ(processes_with(folder.path().string()), 0) << "the launcher has its folder as an argument";
+}
+
+TEST(Launch, CancellingEndsAStoppedLauncher) {
+  const ScratchFolder folder;
+  Progress progress;
+  std::thread asks([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    progress.request_stop();
+  });
+  const Launch what{.command = {"/bin/sh", "-c", "kill -STOP $PPID; sleep 60 # pixelscope-cancelled"},
+                    .environment = {},
+                    .folder = folder.path(),
+                    .input = {},
+                    .limits = short_limits(),
+                    .rights = LaunchRights::own};
+  EXPECT_THROW(launch(what, &progress), Cancelled);
+  asks.join();
+  EXPECT_EQ(processes_with("pixelscope-cancelled"), 0);
+}
+
 TEST(Launch, EnormousOutputIsCut) {
   const Launched text = shell("exec yes 0123456789012345678901234567890123456789");
   EXPECT_EQ(text.end, LaunchEnd::text);

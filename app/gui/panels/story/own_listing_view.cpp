@@ -130,6 +130,7 @@ void file_row(Session& session, OwnListingState& state) {
   path_text("file", file.filename().string());
   path_text("folder", "in " + file.parent_path().string());
   tooltip("Edit this file with any editor. It is compiled and run each time that you save it.");
+  value_paragraph("protection", std::string(protection_sentence()));
 }
 
 }  // namespace
@@ -170,8 +171,8 @@ void own_listing_buttons(Session& session, OwnListingState& state, const NamedLi
   same_line_if_room(button_width(label));
   if (button("copy", label, routine.empty() ? Emphasis::plain : Emphasis::primary,
              {.tooltip =
-                  "Makes a file of your own from this listing. Each time that you save it, it is compiled and run "
-                  "with your rights, and its picture is shown as B.",
+                  "Makes a file of your own from this listing. Each time that you save it, it is compiled and run, "
+                  "and its picture is shown as B.",
               .disabled = listing ? "" : "There is no listing to copy, or it would answer the question."})) {
     try {
       state.problem.clear();
@@ -195,7 +196,7 @@ bool own_listing_question(Session& session, OwnListingState& state) {
   if (state.asked.empty()) return false;
   const NameScope scope("own");
   value_paragraph("asked", state.asked.string());
-  value_paragraph("rights", own_rights_sentence());
+  value_paragraph("rights", fmt::format("{} {}", own_rights_sentence(), protection_sentence()));
   const std::filesystem::path file = state.asked;
   if (button("allow", "Compile and run it", Emphasis::primary)) {
     state.asked.clear();

@@ -1,4 +1,4 @@
-#include "launch/descendants.h"
+#include "base/descendants.h"
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -12,14 +12,14 @@
 #include <cstring>
 #include <unordered_map>
 
-namespace launch {
+namespace ps {
 namespace {
 
 struct ProcessRow {
   pid_t process = 0, parent = 0;
   char state = '?';
   std::uint64_t pages = 0;  ///< resident
-  bool below = false;       ///< a descendant of this process
+  bool below = false;       ///< a descendant of the process that is asked about
 };
 
 /// Reads /proc/PROCESS/stat: "PROCESS (NAME) STATE PARENT ...". The name may hold anything, brackets too. Answers
@@ -58,12 +58,12 @@ std::vector<ProcessRow> all_processes() {
   return rows;
 }
 
-/// Marks the rows of all that began below this process. Children may have smaller numbers than their parents, for
+/// Marks the rows of all that began below `root`. Children may have smaller numbers than their parents, for
 /// numbers are used again.
-void mark_below(std::vector<ProcessRow>& rows) {
+void mark_below(std::vector<ProcessRow>& rows, pid_t root) {
   std::unordered_map<pid_t, std::vector<ProcessRow*>> children;
   for (ProcessRow& row : rows) children[row.parent].push_back(&row);
-  std::vector<pid_t> parents{getpid()};
+  std::vector<pid_t> parents{root};
   while (!parents.empty()) {
     const auto found = children.find(parents.back());
     parents.pop_back();
@@ -78,9 +78,9 @@ void mark_below(std::vector<ProcessRow>& rows) {
 
 }  // namespace
 
-Descendants descendants() {
+Descendants descendants(pid_t root) {
   std::vector<ProcessRow> rows = all_processes();
-  mark_below(rows);
+  mark_below(rows, root);
   Descendants all;
   const auto page = static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
   for (const ProcessRow& row : rows) {
@@ -91,18 +91,19 @@ Descendants descendants() {
   return all;
 }
 
-bool end_descendants(pid_t group) {
+bool end_descendants(pid_t root, pid_t group) {
   constexpr int most_rounds = 2000;
+  const bool own = root == getpid();
   for (int round = 0; round < most_rounds; ++round) {
-    kill(-group, SIGKILL);  // all of the group at once: none of them can start another in between
-    for (const pid_t process : descendants().processes) kill(process, SIGKILL);
-    pid_t ended = 0;
-    do ended = waitpid(-1, nullptr, WNOHANG);
-    while (ended > 0);
-    if (ended < 0 && errno == ECHILD) return true;
+    if (group > 0) kill(-group, SIGKILL);  // all of the group at once: none of them can start another in between
+    const std::vector<pid_t> running = descendants(root).processes;
+    for (const pid_t process : running) kill(process, SIGKILL);
+    pid_t ended = own ? 1 : 0;
+    while (own && ended > 0) ended = waitpid(-1, nullptr, WNOHANG);
+    if (own ? ended < 0 && errno == ECHILD : running.empty()) return true;
     usleep(1000);
   }
   return false;
 }
 
-}  // namespace launch
+}  // namespace ps
