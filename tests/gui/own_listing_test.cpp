@@ -67,13 +67,14 @@ TEST(OwnListingWindow, NothingIsCompiledBeforeAClick) {
   const ps::test::Variable cache("XDG_CACHE_HOME", (folder / "cache").string());
   const std::string file = (folder / "strange.cpp").string();
   const std::string copy = ps::listing_copy(ps::test::listing_in("cgfs_02_basic_ray_tracing"));
-  const std::string script =
-      "wait idle\nwrite " + file + " " + quoted(copy) + "\ndrop " + file +
-      "\nwait idle\nexpect own/open off\nclick listing/open\nwait frames 5\ntype " + quoted(file) +
-      "\nkey Enter\nwait idle\nexpect own/open off\nexpect listing/own/rights contains \"whatever you may do\"\n"
-      "screenshot " +
-      (folder / "asked.png").string() +
-      "\nclick listing/own/allow\nwait idle\nexpect own/open on\nexpect own/wrong 0\nquit\n";
+  const std::string script = "wait idle\nwrite " + file + " " + quoted(copy) + "\ndrop " + file +
+                             "\nwait idle\nexpect own/open off\nclick listing/open\nwait frames 5\ntype " +
+                             quoted(file) +
+                             "\nkey Enter\nwait idle\nexpect own/open off\nexpect listing/own/rights contains \"Go on "
+                             "only if you know what is in it\"\n"
+                             "screenshot " +
+                             (folder / "asked.png").string() +
+                             "\nclick listing/own/allow\nwait idle\nexpect own/open on\nexpect own/wrong 0\nquit\n";
   const auto result = ps::test::play(script, folder, "1366x768", "--lesson cgfs_02_basic_ray_tracing/7");
   EXPECT_EQ(result.status, 0) << result.errors << result.output;
 }
