@@ -25,6 +25,7 @@ TEST(Chord, TextReadsBack) {
 TEST(Chord, EveryKeyIsTheSystemsKeyAndBack) {
   std::set<int> numbers;
   for (Key key = key_after(Key::none, 1); key != Key::other; key = key_after(key, 1)) {
+    if (key == Key::question || key == Key::plus) continue;  // typed, but by no key of their own
     const int number = scancode_of(key);
     EXPECT_NE(number, 0) << static_cast<int>(key);
     EXPECT_EQ(key_of(number), key) << number;

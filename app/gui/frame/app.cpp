@@ -342,7 +342,8 @@ void App::Parts::draw_status(ImVec2 window, float height) {
     hint = {StatusHint::Kind::task, *task};
     ImGui::SameLine(0, px(16));
   } else if (hint.text.empty()) {
-    hint.text = "Click a pixel to see how it got its colour.   ? shows all keys.";
+    hint.text = fmt::format("Click a pixel to see how it got its colour.   {} shows all keys.",
+                            shell.actions().key_text("help"));
   }
   gui::status_bar(session, my.pictures, status_bar, hint);
   ImGui::EndChild();

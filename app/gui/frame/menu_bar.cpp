@@ -8,6 +8,7 @@
 
 #include "document/permalink.h"
 #include "gui/frame/show_panel.h"
+#include "gui/input/key_hint.h"
 #include "gui/panels/lesson/first_look.h"
 #include "gui/panels/lesson/lesson_panel.h"
 #include "gui/widgets/widgets.h"
@@ -62,14 +63,14 @@ void MenuBar::mode_buttons() {
     const char *label, *help;
   };
   static constexpr std::array rows{
-      Row{ScreenMode::lesson, "Lesson", "The lesson's text beside large pictures (F2)."},
-      Row{ScreenMode::explore, "Explore", "All options and tools around the pictures (F3)."},
-      Row{ScreenMode::study, "Study", "A chart or a table at full height beside small pictures (F4)."}};
+      Row{ScreenMode::lesson, "Lesson", "The lesson's text beside large pictures."},
+      Row{ScreenMode::explore, "Explore", "All options and tools around the pictures."},
+      Row{ScreenMode::study, "Study", "A chart or a table at full height beside small pictures."}};
   const NameScope scope("mode");
   ImGui::SetCursorPosX(px(8));
   for (const Row& row : rows)
     if (button_on_off(mode_key(row.mode), row.label, session_.document().mode == row.mode,
-                      {.tooltip = row.help, .disabled = {}}))
+                      {.tooltip = with_key(row.help, "mode-" + std::string(mode_key(row.mode))), .disabled = {}}))
       set_mode(session_, row.mode);
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + px(8));
 }
@@ -115,8 +116,8 @@ struct Mode {
 };
 constexpr std::array modes{
     Mode{CompareMode::side_by_side, "A | B", "Both pictures side by side."},
-    Mode{CompareMode::split, "Split", "One picture: A on the left of a divider that you drag, B on the right (X)."},
-    Mode{CompareMode::difference, "Difference", "The difference B - A, multiplied by a gain (D)."}};
+    Mode{CompareMode::split, "Split", "One picture: A on the left of a divider that you drag, B on the right."},
+    Mode{CompareMode::difference, "Difference", "The difference B - A, multiplied by a gain."}};
 }  // namespace
 
 float MenuBar::compare_buttons_width() const {
@@ -132,7 +133,7 @@ void MenuBar::compare_buttons(float left) {
   const NameScope scope("compare");
   for (const auto& mode : modes)
     if (button_on_off(compare_key(mode.mode), mode.label, session_.document().compare == mode.mode,
-                      {.tooltip = mode.help, .disabled = {}}))
+                      {.tooltip = with_key(mode.help, compare_key(mode.mode)), .disabled = {}}))
       session_.navigate([&](Document& document) { document.compare = mode.mode; });
 }
 

@@ -9,6 +9,7 @@
 #include "gui/frame/drawer.h"
 #include "gui/frame/region.h"
 #include "gui/frame/show_panel.h"
+#include "gui/input/key_hint.h"
 #include "gui/panels/lesson/caption_strip.h"
 #include "gui/panels/lesson/first_look.h"
 #include "gui/panels/lesson/lesson_list.h"
@@ -179,8 +180,9 @@ void Regions::titled_text(const Area& area, const std::string& title) {
 bool Regions::column_head() {
   LessonColumn& column = my_.lessons.column;
   const std::string tool = tab_label(staged());
-  const std::array tabs{Choice{"text", "Text", "What the step says (V)."},
-                        Choice{"tool", tool, "The tool that the step is about (V)."}};
+  const std::string text_help = with_key("What the step says.", "text-or-tool"),
+                    tool_help = with_key("The tool that the step is about.", "text-or-tool");
+  const std::array tabs{Choice{"text", "Text", text_help}, Choice{"tool", tool, tool_help}};
   int index = column.shows == ColumnShows::text ? 0 : 1;
   if (tab_row("column", tabs, index)) column.shows = index == 0 ? ColumnShows::text : ColumnShows::tool;
   ImGui::SameLine(0, 0);

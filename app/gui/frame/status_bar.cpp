@@ -56,8 +56,8 @@ void progress(Session& session, float width) {
 /// Where the camera is and where it looks.
 std::string camera_text(const Camera& camera) {
   const auto vector = [](const Vec3d& v) { return fmt::format("({:.3f}, {:.3f}, {:.3f})", v.x, v.y, v.z); };
-  return fmt::format("camera {}   looks along {}   W A S D Q E move, Esc ends", vector(camera.position),
-                     vector(camera.forward));
+  return fmt::format("camera {}   looks along {}   {} move, Esc ends", vector(camera.position), vector(camera.forward),
+                     keyboard_layout().labels_of_places(fly_keys));
 }
 
 bool passes(const Message& message) { return message.kind == Message::Kind::information; }

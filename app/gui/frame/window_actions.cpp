@@ -18,13 +18,14 @@ void add_gestures(Actions& actions) {
            std::pair{"Shift+drag", "Render a rectangle alone (Esc: all)"},
            std::pair{"Alt+drag", "Move the camera around the scene"},
            std::pair{"Ctrl+drag", "Look around"},
-           std::pair{"Right drag", "Look around; W A S D Q E fly"},
+           std::pair{"Right drag", "Look around; the keys of flying move"},
            std::pair{"Esc in a drag", "Takes back what the drag has changed"},
            std::pair{"Middle drag", "Move the picture"},
            std::pair{"Double-click", "On a heading: fill the window"},
            std::pair{"Right-click", "On an option: copy, reset, send to B"},
        })
     actions.add_gesture({hand, label, "Mouse"});
+  actions.add_gesture({{}, "Flying: forward, left, back, right, down, up", "Camera", std::string(fly_keys)});
 }
 
 void add_mode_actions(Actions& actions, Session& session) {

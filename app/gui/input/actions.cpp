@@ -35,7 +35,7 @@ void Actions::add(Action action) {
   PS_ASSERT((action.kind == ActionKind::hold) == static_cast<bool>(action.run_hold), "hold actions have run_hold");
   for (const Chord& chord : parse_chords(action.keys)) {
     PS_ASSERT(!bound_to(chord), "two actions must not share a key");
-    bindings_.push_back({chord, actions_.size()});
+    bindings_.push_back({chord, actions_.size(), action.by_place});
   }
   for (const Chord& chord : parse_chords(action.borrowed_keys)) borrowed_.push_back({chord, actions_.size()});
   actions_.push_back(std::move(action));
@@ -46,17 +46,31 @@ const Action* Actions::find(std::string_view name) const {
   return found == actions_.end() ? nullptr : &*found;
 }
 
-std::vector<Chord> Actions::chords(std::string_view name) const {
-  std::vector<Chord> result;
+/// Whether what a key types is bound, so that its place is not asked.
+bool Actions::typed_key_is_bound(const KeyMeanings& key) const {
+  return std::any_of(bindings_.begin(), bindings_.end(),
+                     [&](const Binding& each) { return !each.by_place && each.chord == key.first(); });
+}
+
+std::string Actions::label_of(const Binding& binding) const {
+  const Chord& chord = binding.chord;
+  const KeyboardLayout& layout = keyboard_layout();
+  if (!binding.by_place || typed_key_is_bound(layout.meanings({chord.key, chord.ctrl, chord.shift, chord.alt})))
+    return layout.label(chord);
+  return chord_modifiers(chord) + layout.label_of_place(chord.key);
+}
+
+std::vector<std::string> Actions::key_texts(std::string_view name) const {
+  std::vector<std::string> result;
   for (const auto* bindings : {&bindings_, &borrowed_})
     for (const Binding& binding : *bindings)
-      if (actions_[binding.action].name == name) result.push_back(binding.chord);
+      if (actions_[binding.action].name == name) result.push_back(label_of(binding));
   return result;
 }
 
 std::string Actions::key_text(std::string_view name) const {
-  const auto all_chords = chords(name);
-  return all_chords.empty() ? std::string() : chord_text(all_chords.front());
+  const auto texts = key_texts(name);
+  return texts.empty() ? std::string() : texts.front();
 }
 
 const Action* Actions::bound_to(const Chord& chord) const {
@@ -65,11 +79,22 @@ const Action* Actions::bound_to(const Chord& chord) const {
   return nullptr;
 }
 
-/// The action that a key press goes to.
-const Action* Actions::taker_of(const Chord& chord) const {
-  for (const Binding& binding : borrowed_)
-    if (binding.chord == chord && enabled(actions_[binding.action])) return &actions_[binding.action];
-  return bound_to(chord);
+/// The enabled action that a key press goes to.
+const Action* Actions::taker_of(const KeyMeanings& key) const {
+  const auto among = [&](const std::vector<Binding>& bindings, const Chord& chord, bool by_place) -> const Action* {
+    for (const Binding& binding : bindings)
+      if (binding.chord == chord && binding.by_place == by_place && enabled(actions_[binding.action]))
+        return &actions_[binding.action];
+    return nullptr;
+  };
+  for (const auto* bindings : {&borrowed_, &bindings_})
+    for (const Chord& chord : key.chords)
+      if (const Action* found = among(*bindings, chord, false)) return found;
+  if (!typed_key_is_bound(key))
+    if (const Action* found = among(bindings_, key.at_place, true)) return found;
+  for (const Chord& chord : key.chords)
+    if (const Action* found = among(bindings_, chord, true)) return found;
+  return nullptr;
 }
 
 std::vector<Actions::Meaning> Actions::meanings() const {
@@ -131,10 +156,10 @@ void Actions::rebind(const std::string& text, const std::string& file) {
   bindings_ = std::move(bindings);
 }
 
-bool Actions::key_down(const Chord& chord, bool repeat, bool typing) {
-  if (typing && left_to_text_field(chord)) return false;
-  const Action* action = taker_of(chord);
-  if (!action || !enabled(*action)) return false;
+bool Actions::key_down(const KeyMeanings& key, bool repeat, bool typing) {
+  if (typing && left_to_text_field(key.first())) return false;
+  const Action* action = taker_of(key);
+  if (!action) return false;
   last_by_key_ = action->name;
   switch (action->kind) {
   case ActionKind::press:
@@ -145,7 +170,7 @@ bool Actions::key_down(const Chord& chord, bool repeat, bool typing) {
     break;
   case ActionKind::hold:
     if (!repeat) {
-      held_.emplace_back(chord.key, static_cast<std::size_t>(action - actions_.data()));
+      held_.emplace_back(key.at_place.key, static_cast<std::size_t>(action - actions_.data()));
       action->run_hold(true);
     }
     break;
@@ -153,9 +178,9 @@ bool Actions::key_down(const Chord& chord, bool repeat, bool typing) {
   return true;
 }
 
-void Actions::key_up(Key key) {
+void Actions::key_up(Key place) {
   for (std::size_t i = 0; i < held_.size();) {
-    if (held_[i].first != key) {
+    if (held_[i].first != place) {
       ++i;
       continue;
     }

@@ -6,20 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "gui/input/key.h"
+#include "gui/input/keyboard_layout.h"
 
 namespace ps::gui {
-
-/// A key with modifiers.
-struct Chord {
-  Key key = Key::none;
-  bool ctrl = false, shift = false, alt = false;
-  bool operator==(const Chord&) const = default;
-};
-/// "Ctrl+Shift+Z", "?", "PageDown", "F11", "Left", "[", "`". Throws InputError for an unknown name.
-Chord parse_chord(std::string_view text);
-/// The text that parse_chord reads back; "" for none.
-std::string chord_text(const Chord& chord);
 
 enum class ActionKind {
   press,   ///< runs once for each key press
@@ -34,6 +23,9 @@ struct Action {
   std::string label;      ///< for people: "Nudge the pixel left"
   std::string group;      ///< heading in the help sheet: "Pixel"
   std::string keys = {};  ///< default chords separated by spaces: "Enter PageDown"; may be empty
+  /// Whether these are where a US keyboard has them, for keys that a hand finds by their places. Not so where a place
+  /// types a letter that means something else; and a user's own keys are those that type what was written.
+  bool by_place = false;
   /// Chords of other actions that are this one's while it is enabled: a remote control has few keys.
   std::string borrowed_keys = {};
   ActionKind kind = ActionKind::press;
@@ -48,6 +40,8 @@ struct Gesture {
   std::string hand;   ///< "Shift+drag"
   std::string label;  ///< for people: "Render a rectangle alone"
   std::string group;  ///< heading in the help sheet
+  /// In place of a hand, keys by place: "WASD".
+  std::string places = {};
 };
 
 /// Something besides the actions that the palette finds by its label, or by other words.
@@ -71,10 +65,10 @@ class Actions {
   void offer_more(std::function<std::vector<PaletteEntry>()> more) { more_ = std::move(more); }
   std::vector<PaletteEntry> more() const { return more_ ? more_() : std::vector<PaletteEntry>(); }
   const Action* find(std::string_view name) const;
-  /// The first chord bound to the action as text for menus; "" if none.
+  /// The first chord bound to the action for menus and tooltips, as the keyboard has it; "" if none.
   std::string key_text(std::string_view name) const;
-  /// All chords bound to it, the borrowed ones last.
-  std::vector<Chord> chords(std::string_view name) const;
+  /// All chords bound to it likewise, the borrowed ones last.
+  std::vector<std::string> key_texts(std::string_view name) const;
   const Action* bound_to(const Chord& chord) const;
   /// What each chord does now: the enabled actions that take it, which is one, unless two actions want the same key.
   struct Meaning {
@@ -87,14 +81,14 @@ class Actions {
   /// Runs the action unless it is disabled; answers whether it ran. Hold actions are not run this way.
   bool run(std::string_view name) const;
   bool enabled(const Action& action) const { return !action.enabled || action.enabled(); }
-  /// Reads lines "name = Chord Chord ..." (# starts a comment); these replace the default chords. Throws InputError
-  /// with line and column, leaving the bindings as they were.
+  /// Reads lines "name = Chord Chord ..." (# starts a comment); these replace the default chords, and mean what is
+  /// typed, but for digits. Throws InputError with line and column, leaving the bindings as they were.
   void rebind(const std::string& text, const std::string& file);
 
   /// For the shell: key went down or up this frame. Answers whether an action took it. Letters without Ctrl are left
   /// to text fields when `typing`.
-  bool key_down(const Chord& chord, bool repeat, bool typing);
-  void key_up(Key key);
+  bool key_down(const KeyMeanings& key, bool repeat, bool typing);
+  void key_up(Key place);
   /// The window lost the keyboard: ends all hold actions.
   void release_all();
 
@@ -102,14 +96,17 @@ class Actions {
   struct Binding {
     Chord chord;
     std::size_t action;
+    bool by_place = false;
   };
   std::vector<Action> actions_;
   std::vector<Gesture> gestures_;
   std::function<std::vector<PaletteEntry>()> more_;
-  const Action* taker_of(const Chord& chord) const;
+  const Action* taker_of(const KeyMeanings& key) const;
+  bool typed_key_is_bound(const KeyMeanings& key) const;
+  std::string label_of(const Binding& binding) const;
   std::vector<Binding> bindings_, borrowed_;
   std::string last_by_key_;
-  std::vector<std::pair<Key, std::size_t>> held_;  // key, action
+  std::vector<std::pair<Key, std::size_t>> held_;  // place of the key, action
 };
 
 }  // namespace ps::gui

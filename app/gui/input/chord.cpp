@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "base/check.h"
-#include "gui/input/actions.h"
+#include "gui/input/chord.h"
 
 namespace ps::gui {
 namespace {
@@ -41,6 +41,8 @@ constexpr std::array key_names{
     KeyName{".", Key::period},
     KeyName{"/", Key::slash},
     KeyName{"\\", Key::backslash},
+    KeyName{"?", Key::question},
+    KeyName{"+", Key::plus},
     KeyName{"KeypadPlus", Key::keypad_plus},
     KeyName{"KeypadMinus", Key::keypad_minus},
     KeyName{"KeypadEnter", Key::keypad_enter},
@@ -84,19 +86,22 @@ Chord parse_chord(std::string_view text) {
     if (take("Shift+")) more = chord.shift = true;
     if (take("Alt+")) more = chord.alt = true;
   }
-  if (rest == "?" || rest == "+") {  // shifted on the US layout
-    chord.shift = true;
-    rest = rest == "?" ? "/" : "=";
-  }
   chord.key = find_key(rest);
   if (chord.key == Key::none)
     throw InputError(fmt::format("found '{}', expected a key such as Ctrl+Shift+Z, F11, PageDown or [", text));
+  if (chord.shift && (chord.key == Key::slash || chord.key == Key::equals)) {  // what they type on the US layout
+    chord.key = chord.key == Key::slash ? Key::question : Key::plus;
+    chord.shift = false;
+  }
   return chord;
+}
+
+std::string chord_modifiers(const Chord& chord) {
+  return fmt::format("{}{}{}", chord.ctrl ? "Ctrl+" : "", chord.shift ? "Shift+" : "", chord.alt ? "Alt+" : "");
 }
 
 std::string chord_text(const Chord& chord) {
   std::string key;
-  bool shift = chord.shift;
   if (chord.key == Key::none) return {};
   if (const auto letter = place_in_row(chord.key, Key::a, Key::z))
     key = static_cast<char>('A' + *letter);
@@ -104,14 +109,10 @@ std::string chord_text(const Chord& chord) {
     key = static_cast<char>('0' + (*digit + 1) % 10);
   else if (const auto number = place_in_row(chord.key, Key::f1, Key::f12))
     key = fmt::format("F{}", *number + 1);
-  else if (shift && (chord.key == Key::slash || chord.key == Key::equals)) {
-    key = chord.key == Key::slash ? "?" : "+";
-    shift = false;
-  } else {
+  else
     for (const KeyName& name : key_names)
       if (name.key == chord.key) key = name.name;
-  }
-  return fmt::format("{}{}{}{}", chord.ctrl ? "Ctrl+" : "", shift ? "Shift+" : "", chord.alt ? "Alt+" : "", key);
+  return chord_modifiers(chord) + key;
 }
 
 }  // namespace ps::gui

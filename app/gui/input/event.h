@@ -15,7 +15,7 @@ struct InputEvent {
     leave,       ///< the pointer left the window
     button,      ///< `button` went `down` or up, at `at`
     wheel,       ///< by `at` steps, rightwards and away from the person
-    key,         ///< `key` went `down` or up
+    key,         ///< the key in the place `key` went `down` or up
     text,        ///< `text` was typed
     focus_lost,  ///< the keyboard belongs to another window
     drop,        ///< the file `text` was dropped
@@ -28,6 +28,7 @@ struct InputEvent {
   Key key = Key::none;
   bool down = false, repeat = false;
   bool ctrl = false, shift = false, alt = false;  ///< held together with a key
+  bool right_alt = false;                         ///< likewise; in many layouts it is AltGr
   std::string text = {};                          ///< UTF-8
 };
 

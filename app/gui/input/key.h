@@ -3,8 +3,9 @@
 
 namespace ps::gui {
 
-/// A key by its position on the keyboard, named as on a US layout. Letters, digits from 1 and function keys follow one
-/// another; chord.cpp has the names. Left and right modifiers are one key.
+/// A key. In a Chord letters and signs are what is typed, in an InputEvent the place where a US keyboard has them;
+/// keyboard_layout.h leads from one to the other. Letters, digits from 1, function keys and signs that have a place
+/// follow one another; chord.cpp has the names. Left and right modifiers are one key.
 enum class Key : std::uint8_t {
   none,
   // clang-format off
@@ -16,6 +17,8 @@ enum class Key : std::uint8_t {
   minus, equals, left_bracket, right_bracket, semicolon, apostrophe, grave, comma, period, slash, backslash,
   keypad_plus, keypad_minus, keypad_enter,
   ctrl, shift, alt,
+  beside_shift,    ///< a place that US keyboards lack: between Shift and Z
+  question, plus,  ///< signs without a place of their own
   // clang-format on
   other  ///< one without a name here; nothing can be bound to it
 };

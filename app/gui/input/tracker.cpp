@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <bitset>
 #include <cfloat>
 
 #include "gui/input/imgui_keys.h"
@@ -14,8 +15,16 @@ namespace {
 using Kind = InputEvent::Kind;
 
 int number_of(MouseButton button) { return static_cast<int>(button); }  // as Dear ImGui counts them
+std::size_t index_of(Key key) { return static_cast<std::size_t>(key); }
+
+std::bitset<static_cast<std::size_t>(Key::other) + 1>& held_places() {
+  static std::bitset<static_cast<std::size_t>(Key::other) + 1> held;
+  return held;
+}
 
 }  // namespace
+
+bool place_is_held(Key place) { return held_places().test(index_of(place)); }
 
 void InputTracker::take(const InputEvent& event) {
   if (event.kind == Kind::drop || event.kind == Kind::close || event.kind == Kind::other) return;
@@ -41,7 +50,8 @@ bool InputTracker::fits_frame(const InputEvent& event) const {
     return !moved_ && buttons_changed_ == 0 && !wheeled_ && keys_.empty();
   case Kind::key:
     if (buttons_changed_ != 0 || moved_ || typed_) return false;
-    return std::none_of(keys_.begin(), keys_.end(), [&](const KeyChange& k) { return k.chord.key == event.key; });
+    return std::none_of(keys_.begin(), keys_.end(),
+                        [&](const KeyChange& k) { return k.key.at_place.key == event.key; });
   case Kind::text:
     return buttons_changed_ == 0 && !moved_;
   case Kind::focus_lost:
@@ -74,19 +84,27 @@ void InputTracker::apply_event(const InputEvent& event, ImGuiIO& io) {
     io.MouseWheel += event.at.y;
     wheeled_ = true;
     break;
-  case Kind::key:
+  case Kind::key: {
     ctrl_ = event.ctrl;
     shift_ = event.shift;
-    alt_ = event.alt;
-    io.KeysDown[imgui_key(event.key)] = event.down;
-    keys_.push_back({{event.key, event.ctrl, event.shift, event.alt}, event.down, event.repeat});
+    alt_ = event.alt || event.right_alt;
+    held_places().set(index_of(event.key), event.down);
+    const KeyMeanings key =
+        keyboard_layout().meanings({event.key, event.ctrl, event.shift, event.alt, event.right_alt});
+    // The same comes up, whatever became of the modifiers and the layout.
+    Key& meant = down_as_[index_of(event.key)];
+    if (event.down && !event.repeat) meant = key.first().key;
+    io.KeysDown[imgui_key(meant)] = event.down;
+    keys_.push_back({key, event.down, event.repeat});
     break;
+  }
   case Kind::text:
     io.AddInputCharactersUTF8(event.text.c_str());
     typed_ = true;
     break;
   case Kind::focus_lost:
     std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+    held_places().reset();
     std::fill(std::begin(buttons_), std::end(buttons_), false);
     ctrl_ = shift_ = alt_ = false;
     lost_focus_ = true;

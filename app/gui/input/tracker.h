@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <deque>
 #include <string>
 #include <vector>
@@ -12,9 +13,12 @@ namespace ps::gui {
 
 /// A key that went down or up in a frame.
 struct KeyChange {
-  Chord chord;
+  KeyMeanings key;
   bool down = false, repeat = false;
 };
+
+/// Whether the key in a place is down, whatever it types.
+bool place_is_held(Key place);
 
 /// Mouse, modifiers and keys as the queue of events reports them. Dear ImGui 1.86's own back end reads the pointer's
 /// global position and the modifiers from the system and so ignores events that a script pushed into the queue;
@@ -41,6 +45,8 @@ class InputTracker {
   bool inside_ = false;
   bool buttons_[5] = {};
   bool ctrl_ = false, shift_ = false, alt_ = false;
+  std::array<Key, static_cast<std::size_t>(Key::other) + 1>
+      down_as_{};  // what the key of a place meant as it went down
   // What has already changed in this frame.
   bool moved_ = false, wheeled_ = false, typed_ = false;
   unsigned buttons_changed_ = 0;

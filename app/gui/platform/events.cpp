@@ -63,7 +63,8 @@ InputEvent translated(const SDL_Event& event) {
     out.repeat = event.key.repeat != 0;
     out.ctrl = (event.key.keysym.mod & KMOD_CTRL) != 0;
     out.shift = (event.key.keysym.mod & KMOD_SHIFT) != 0;
-    out.alt = (event.key.keysym.mod & KMOD_ALT) != 0;
+    out.alt = (event.key.keysym.mod & KMOD_LALT) != 0;
+    out.right_alt = (event.key.keysym.mod & (KMOD_RALT | KMOD_MODE)) != 0;
     break;
   case SDL_TEXTINPUT:
     out.kind = Kind::text;
@@ -117,6 +118,7 @@ void push_wheel(unsigned window, float steps) {
 }
 
 void push_key(unsigned window, const Chord& chord, bool down) {
+  const KeyPress press = keyboard_layout().press_for(chord);
   Uint16 held = 0;
   const auto modifier = [&](bool wanted, SDL_Scancode scancode, Uint16 bit) {
     if (!wanted) return;
@@ -124,14 +126,15 @@ void push_key(unsigned window, const Chord& chord, bool down) {
     push_scancode(window, scancode, down, held);
   };
   if (!down) {
-    held = static_cast<Uint16>((chord.ctrl ? KMOD_LCTRL : 0) | (chord.shift ? KMOD_LSHIFT : 0) |
-                               (chord.alt ? KMOD_LALT : 0));
-    push_scancode(window, scancode_of(chord.key), false, held);
+    held = static_cast<Uint16>((press.ctrl ? KMOD_LCTRL : 0) | (press.shift ? KMOD_LSHIFT : 0) |
+                               (press.alt ? KMOD_LALT : 0) | (press.right_alt ? KMOD_RALT : 0));
+    push_scancode(window, scancode_of(press.place), false, held);
   }
-  modifier(chord.ctrl, SDL_SCANCODE_LCTRL, KMOD_LCTRL);
-  modifier(chord.shift, SDL_SCANCODE_LSHIFT, KMOD_LSHIFT);
-  modifier(chord.alt, SDL_SCANCODE_LALT, KMOD_LALT);
-  if (down && chord.key != Key::none) push_scancode(window, scancode_of(chord.key), true, held);
+  modifier(press.ctrl, SDL_SCANCODE_LCTRL, KMOD_LCTRL);
+  modifier(press.shift, SDL_SCANCODE_LSHIFT, KMOD_LSHIFT);
+  modifier(press.alt, SDL_SCANCODE_LALT, KMOD_LALT);
+  modifier(press.right_alt, SDL_SCANCODE_RALT, KMOD_RALT);
+  if (down && press.place != Key::none) push_scancode(window, scancode_of(press.place), true, held);
 }
 
 void push_text(unsigned window, const std::string& utf8) {

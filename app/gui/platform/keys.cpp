@@ -42,6 +42,7 @@ constexpr Row rows[] = {
     {Key::period, SDL_SCANCODE_PERIOD},
     {Key::slash, SDL_SCANCODE_SLASH},
     {Key::backslash, SDL_SCANCODE_BACKSLASH},
+    {Key::beside_shift, SDL_SCANCODE_NONUSBACKSLASH},
     {Key::keypad_plus, SDL_SCANCODE_KP_PLUS},
     {Key::keypad_minus, SDL_SCANCODE_KP_MINUS},
     {Key::keypad_enter, SDL_SCANCODE_KP_ENTER},

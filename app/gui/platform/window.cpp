@@ -10,6 +10,7 @@
 #include "gui/input/imgui_keys.h"
 #include "gui/platform/display.h"
 #include "gui/platform/events.h"
+#include "gui/platform/keyboard.h"
 #include "gui/platform/texture.h"
 
 namespace ps::gui {
@@ -50,6 +51,7 @@ Window::Window(const std::string& title, const WindowPlacement& placement) {
   SDL_SetWindowMinimumSize(window_, 640, 480);
   normal_size_ = NormalSize(size);
   open(placement);
+  read_keyboard(window_);
   SDL_EventState(SDL_DROPFILE, SDL_ENABLE);
 
   IMGUI_CHECKVERSION();
@@ -80,6 +82,8 @@ bool Window::wait_events(double seconds, const std::function<void(const InputEve
                                : SDL_WaitEventTimeout(&event, milliseconds);
   while (got) {
     any = true;
+    if (event.type == SDL_KEYMAPCHANGED) read_keyboard(window_);
+    if (event.type == SDL_KEYDOWN && event.key.repeat == 0) follow_keyboard(window_);
     if (event.type == wake_event)
       wake_waiting = false;
     else

@@ -11,6 +11,12 @@ namespace ps::gui {
 #ifdef SDL_VIDEO_DRIVER_X11
 namespace {
 
+/// The beginning of what XkbGetState writes, which is 18 bytes.
+struct KeyboardState {
+  unsigned char group = 0;
+  unsigned char rest[31] = {};
+};
+
 /// Xlib's functions, from the library that SDL itself uses.
 struct Xlib {
   decltype(&XDefaultRootWindow) root = nullptr;
@@ -20,8 +26,12 @@ struct Xlib {
   decltype(&XSetErrorHandler) on_error = nullptr;
   decltype(&XSync) sync = nullptr;
   decltype(&XFree) release = nullptr;
+  int (*keyboard_state)(Display*, unsigned device, KeyboardState*) = nullptr;
+  KeySym (*symbol)(Display*, KeyCode, int group, int level) = nullptr;
 
-  bool complete() const { return root && atom && property && geometry && on_error && sync && release; }
+  bool complete() const {
+    return root && atom && property && geometry && on_error && sync && release && keyboard_state && symbol;
+  }
 };
 
 template <typename Function>
@@ -41,6 +51,8 @@ const Xlib& xlib() {
     find(library, "XSetErrorHandler", result.on_error);
     find(library, "XSync", result.sync);
     find(library, "XFree", result.release);
+    find(library, "XkbGetState", result.keyboard_state);
+    find(library, "XkbKeycodeToKeysym", result.symbol);
     return result;
   }();
   return found;
@@ -107,9 +119,25 @@ std::optional<WindowSize> size_on_server(SDL_Window* window) {
   if (!xlib().geometry(own.display, own.id, &root, &x, &y, &width, &height, &border, &depth)) return {};
   return WindowSize{static_cast<int>(width), static_cast<int>(height)};
 }
+
+int layout_in_use(SDL_Window* window) {
+  const XWindow own = x_window(window);
+  constexpr unsigned core_keyboard = 0x0100;  // XkbUseCoreKbd
+  KeyboardState state;
+  if (own.display) xlib().keyboard_state(own.display, core_keyboard, &state);
+  return state.group;
+}
+
+std::optional<unsigned long> symbol_on_key(SDL_Window* window, int number, int layout, int level) {
+  const XWindow own = x_window(window);
+  if (!own.display) return {};
+  return xlib().symbol(own.display, static_cast<KeyCode>(number), layout, level);
+}
 #else
 bool window_manager_helps(SDL_Window*) { return true; }
 std::optional<WindowSize> size_on_server(SDL_Window*) { return {}; }
+int layout_in_use(SDL_Window*) { return 0; }
+std::optional<unsigned long> symbol_on_key(SDL_Window*, int, int, int) { return {}; }
 #endif
 
 }  // namespace ps::gui

@@ -32,12 +32,17 @@ std::size_t members_of(const Actions& actions, const std::string& group) {
 std::string keys_of(const Actions& actions, const Action& action, float room) {
   const FontScope mono(Face::mono);
   std::string text;
-  for (const Chord& chord : actions.chords(action.name)) {
-    const std::string more = text.empty() ? chord_text(chord) : text + "  " + chord_text(chord);
+  for (const std::string& key : actions.key_texts(action.name)) {
+    const std::string more = text.empty() ? key : text + "  " + key;
     if (!text.empty() && ImGui::CalcTextSize(more.c_str()).x > room) break;
     text = more;
   }
   return text;
+}
+
+/// The hand of a gesture, keys by place as the keyboard has them.
+std::string hand_text(const Gesture& gesture) {
+  return gesture.places.empty() ? gesture.hand : keyboard_layout().labels_of_places(gesture.places);
 }
 
 /// What it does on the left, its keys on the right; where both do not fit side by side, what it does takes more lines.
@@ -67,7 +72,7 @@ void draw_group(const Actions& actions, const std::string& group, float width) {
     row(label, keys_of(actions, action, width - text_width(label) - px(14)), width);
   }
   for (const Gesture& gesture : actions.gestures())
-    if (gesture.group == group) row(gesture.label, gesture.hand, width);
+    if (gesture.group == group) row(gesture.label, hand_text(gesture), width);
   ImGui::Dummy({0, px(8)});
 }
 

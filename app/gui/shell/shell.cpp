@@ -18,6 +18,7 @@
 #include "gui/base/values.h"
 #include "gui/input/actions.h"
 #include "gui/input/bindings_file.h"
+#include "gui/input/key_hint.h"
 #include "gui/input/tracker.h"
 #include "gui/platform/end_signals.h"
 #include "gui/platform/state_file.h"
@@ -178,7 +179,7 @@ Shell::Shell(const ShellOptions& options) : impl_(std::make_unique<Impl>(options
   impl_->offer_values();
 }
 
-Shell::~Shell() = default;
+Shell::~Shell() { set_key_hints(nullptr); }
 
 void Shell::Impl::add_actions(Shell& shell) {
   const auto zoom = [&shell](double factor) {
@@ -292,11 +293,11 @@ void Shell::Impl::dispatch_keys() {
   if (input.lost_focus()) actions.release_all();
   const bool typing = ImGui::GetIO().WantTextInput;
   for (const KeyChange& key : input.keys()) {
+    const Chord chord = key.key.first();
     if (!key.down)
-      actions.key_up(key.chord.key);
-    else if (!help.take_key(key.chord) && !palette.is_open() &&
-             (typing || !key_focus().take_key(key.chord, key.repeat)))
-      actions.key_down(key.chord, key.repeat, typing);
+      actions.key_up(key.key.at_place.key);
+    else if (!help.take_key(chord) && !palette.is_open() && (typing || !key_focus().take_key(chord, key.repeat)))
+      actions.key_down(key.key, key.repeat, typing);
   }
 }
 
@@ -337,6 +338,7 @@ int Shell::run(Content& content) {
   Impl& my = *impl_;
   my.content = &content;
   my.load_own_keys();
+  set_key_hints(&my.actions);
   for (const std::string& complaint : my.complaints) content.warn(complaint);
   while (!my.ended) {
     if (const int signal = end_signal(); signal != 0) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/input/key_hint.h"
 #include "gui/panels/options/work_plot.h"
 #include "gui/widgets/draw.h"
 
@@ -66,15 +67,17 @@ void history_panel(Session& session, HistoryPanelState& state) {
   const auto& entries = history->entries();
   const std::size_t now = history->place();
   if (button("undo", "Undo", Emphasis::plain,
-             {.tooltip = "One step back (Ctrl Z)", .disabled = session.can_undo() ? "" : "This is the first step."}))
+             {.tooltip = with_key("One step back", "undo"),
+              .disabled = session.can_undo() ? "" : "This is the first step."}))
     session.undo();
   ImGui::SameLine();
-  if (button(
-          "redo", "Redo", Emphasis::plain,
-          {.tooltip = "One step forward (Ctrl Shift Z)", .disabled = session.can_redo() ? "" : "Nothing was undone."}))
+  if (button("redo", "Redo", Emphasis::plain,
+             {.tooltip = with_key("One step forward", "redo"),
+              .disabled = session.can_redo() ? "" : "Nothing was undone."}))
     session.redo();
   same_line_if_room(button_width("Close"));
-  if (button("close", "Close", Emphasis::plain, {.tooltip = "Back to the options (Y)"})) state.open = false;
+  if (button("close", "Close", Emphasis::plain, {.tooltip = with_key("Back to the options", "history")}))
+    state.open = false;
   value_text("place", fmt::format("step {} of {}", now + 1, entries.size()));
 
   // Where the panel is low the steps come first.

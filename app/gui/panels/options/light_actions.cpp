@@ -44,6 +44,7 @@ void add_light_actions(Actions& actions, Session& session, OptionsPanelState& st
                  .label = by.label,
                  .group = "Light",
                  .keys = by.keys,
+                 .by_place = true,
                  .kind = ActionKind::repeat,
                  .run =
                      [&session, &state, by] {

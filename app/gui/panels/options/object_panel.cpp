@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "gui/input/key_hint.h"
 #include "gui/session/camera_moves.h"
 #include "gui/session/gizmo.h"
 #include "gui/widgets/draw.h"
@@ -197,7 +198,8 @@ void object_panel(Session& session, ObjectPanelState& state, PickedObject& picke
   ImGui::SameLine();
   if (button_on_off(
           "gizmo", "Gizmo", gizmo,
-          {.tooltip = "Arrows, rings and squares in the pictures and in SPACE that move, turn and scale it (T)."}))
+          {.tooltip = with_key("Arrows, rings and squares in the pictures and in SPACE that move, turn and scale it.",
+                               "gizmo")}))
     gizmo = !gizmo;
   if (!index) {
     ImGui::TextWrapped("Click an object in a picture to change it.");

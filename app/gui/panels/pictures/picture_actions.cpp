@@ -119,7 +119,7 @@ void add_view_actions(Actions& actions, Session& session, PicturesState& picture
   actions.add({.name = "zoom-in",
                .label = "Zoom in on the pixel",
                .group = "View",
-               .keys = "=",
+               .keys = "= +",
                .kind = ActionKind::repeat,
                .run = [zoom_by] { zoom_by(2); }});
   actions.add({.name = "zoom-out",
@@ -222,7 +222,7 @@ void add_camera_actions(Actions& actions, Session& session, PicturesState& pictu
                  .kind = ActionKind::repeat,
                  .run = [&session, by] { orbit(session, by.right * turn_step, by.up * turn_step); }});
   actions.add({.name = "fly",
-               .label = "Fly: W A S D Q E move the camera",
+               .label = "Fly: keys move the camera",
                .group = "Camera",
                .keys = "`",
                .run = [&pictures] { pictures.fly = !pictures.fly; },

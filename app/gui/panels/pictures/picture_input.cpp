@@ -1,7 +1,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "gui/input/imgui_keys.h"
+#include "gui/input/tracker.h"
 #include "gui/panels/pictures/handles_view.h"
 #include "gui/panels/pictures/picture_gizmo.h"
 #include "gui/panels/pictures/pictures_panel.h"
@@ -118,8 +118,6 @@ void drag(Session& session, PicturesState& state, Side side, const Area& area) {
   }
 }
 
-bool key_down(Key key) { return ImGui::IsKeyDown(imgui_key(key)); }
-
 }  // namespace
 
 void picture_input(Session& session, PicturesState& state, Side side, const Area& area, std::optional<float> split_at) {
@@ -170,7 +168,9 @@ bool flying(const PicturesState& state) { return state.fly || state.drag == Pict
 
 bool fly_camera(Session& session, const PicturesState& state, double seconds) {
   if (!session.has_scene() || !flying(state) || ImGui::GetIO().WantTextInput || ImGui::GetIO().KeyCtrl) return false;
-  const auto axis = [](Key more, Key less) { return (key_down(more) ? 1.0 : 0.0) - (key_down(less) ? 1.0 : 0.0); };
+  const auto axis = [](Key more, Key less) {
+    return (place_is_held(more) ? 1.0 : 0.0) - (place_is_held(less) ? 1.0 : 0.0);
+  };
   const double right = axis(Key::d, Key::a), up = axis(Key::e, Key::q), forward = axis(Key::w, Key::s);
   if (right == 0 && up == 0 && forward == 0) return false;
   const Camera camera = session.view().camera;

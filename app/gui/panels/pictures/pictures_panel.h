@@ -119,6 +119,8 @@ void picture_handles(Session& session, PicturesState& state, Side side, const Ar
 
 /// Whether letters fly the camera now.
 bool flying(const PicturesState& state);
+/// The keys that then move it, by place: forward, left, back, right, down, up.
+inline constexpr std::string_view fly_keys = "WASDQE";
 /// Moves the camera by the keys held, for one frame. Answers whether any was.
 bool fly_camera(Session& session, const PicturesState& state, double seconds);
 

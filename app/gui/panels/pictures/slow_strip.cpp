@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "gui/input/key_hint.h"
 #include "gui/panels/pictures/clipped_text.h"
 #include "gui/panels/pictures/marks.h"
 #include "gui/panels/pictures/picture_frame.h"
@@ -182,7 +183,7 @@ void slow_strip(Session& session, SlowMotionState& state) {
   }
   ImGui::SameLine(0, space);
   if (button("slow/close", form == StripForm::full ? "Close" : "×", Emphasis::quiet,
-             {.tooltip = "Shows the finished pictures again (S)."}))
+             {.tooltip = with_key("Shows the finished pictures again.", "slow-motion")}))
     toggle_slow_motion(session, state);
 }
 

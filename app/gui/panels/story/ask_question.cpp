@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "base/number_text.h"
+#include "gui/input/key_hint.h"
 #include "gui/panels/story/lesson_question.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/text_field.h"
@@ -104,7 +105,8 @@ bool turn_button(AskPlace place, std::string_view label, Emphasis emphasis) {
   const bool text = place == AskPlace::below_text;
   return button(
       "turn", label, emphasis,
-      {.tooltip = text ? "The listing is where you click the line (V)." : "What the step says (V).", .disabled = {}});
+      {.tooltip = with_key(text ? "The listing is where you click the line." : "What the step says.", "text-or-tool"),
+       .disabled = {}});
 }
 
 /// What a question has besides its sentence and its buttons. Answers whether Enter ended the typing of an answer.
