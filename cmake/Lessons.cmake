@@ -4,9 +4,8 @@
 #   PS_LESSONS(X)           X(folder) for each folder with a lesson.md
 #   PS_LESSON_LISTINGS(X)   X(folder) for each folder with a listing.cpp
 # and a third one, to be used with a macro of three arguments:
-#   PS_LISTING_BUGS(X)      X(folder, bug, "symptom") for each folder/bugs/bug.cpp, whose first line is // symptom
-# Such a file is its folder's listing.cpp with one changed line and so defines the same names. Therefore listing_bugs.cpp,
-# which is written too, includes them all, each with its folder's name replaced by its own.
+#   PS_LISTING_BUGS(X)      X(folder, bug, "symptom") for each folder/bugs/bug.bug, whose first line is the symptom
+# The program pixelscope-plant puts the bugs into copies of their listings (core/textbook/bug_patch.h).
 
 file(GLOB lessons CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}/chapters ${CMAKE_SOURCE_DIR}/chapters/*/lesson.md)
 file(GLOB listings CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}/chapters ${CMAKE_SOURCE_DIR}/chapters/*/listing.cpp)
@@ -30,32 +29,36 @@ lesson_list(all_listings ${listings})
 
 set(PIXELSCOPE_LESSONS_INCLUDE ${CMAKE_BINARY_DIR}/generated/chapters)
 
-file(GLOB bugs CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}/chapters ${CMAKE_SOURCE_DIR}/chapters/*/bugs/*.cpp)
+file(GLOB bugs CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}/chapters ${CMAKE_SOURCE_DIR}/chapters/*/bugs/*.bug)
 list(SORT bugs)
 list(TRANSFORM bugs PREPEND ${CMAKE_SOURCE_DIR}/chapters/ OUTPUT_VARIABLE bug_files)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${bug_files})  # their first lines
 set(all_bugs "")
 set(bug_names "")
-set(bug_sources "")
+set(buggy_listings "")
 foreach(file ${bugs})
-  string(REGEX MATCH "^([^/]+)/bugs/([a-z][a-z0-9_]*)[.]cpp$" matched ${file})
+  string(REGEX MATCH "^([^/]+)/bugs/([a-z][a-z0-9_]*)[.]bug$" matched ${file})
   set(folder "${CMAKE_MATCH_1}")
   set(bug "${CMAKE_MATCH_2}")
   file(STRINGS ${CMAKE_SOURCE_DIR}/chapters/${file} symptom LIMIT_COUNT 1)
   if(NOT matched OR bug IN_LIST bug_names)
     message(FATAL_ERROR "chapters/${file}: a bug is named in snake_case (a-z, 0-9, _), like no other bug")
   endif()
-  if(NOT symptom MATCHES "^// ([^\"\\]+[.])$")
-    message(FATAL_ERROR "chapters/${file}: its first line is // and a sentence, without ; and quotes, that says what is seen")
+  if(NOT symptom MATCHES "^[^\"\\]+[.]$")
+    message(FATAL_ERROR "chapters/${file}: its first line is a sentence, without ; and quotes, that says what is seen")
   endif()
   list(APPEND bug_names ${bug})
-  string(APPEND all_bugs " X(${folder}, ${bug}, \"${CMAKE_MATCH_1}\")")
-  string(APPEND bug_sources "#define ${folder} bug_${bug}\n#include \"${CMAKE_SOURCE_DIR}/chapters/${file}\"\n#undef ${folder}\n")
+  list(APPEND buggy_listings ${CMAKE_SOURCE_DIR}/chapters/${folder}/listing.cpp)
+  string(APPEND all_bugs " X(${folder}, ${bug}, \"${symptom}\")")
 endforeach()
 set(PIXELSCOPE_LISTING_BUGS ${PIXELSCOPE_LESSONS_INCLUDE}/listing_bugs.cpp)
-file(CONFIGURE OUTPUT ${PIXELSCOPE_LISTING_BUGS} @ONLY CONTENT [[
-// Written by cmake/Lessons.cmake from the files of chapters/*/bugs/.
-@bug_sources@]])
+add_executable(pixelscope-plant app/plant/main.cpp core/textbook/bug_patch.cpp core/base/check.cpp core/base/read_file.cpp)
+target_include_directories(pixelscope-plant PRIVATE core)
+set_target_properties(pixelscope-plant PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/generated)
+target_link_libraries(pixelscope-plant PRIVATE fmt::fmt)
+target_compile_options(pixelscope-plant PRIVATE ${PIXELSCOPE_WARNINGS})
+add_custom_command(OUTPUT ${PIXELSCOPE_LISTING_BUGS} DEPENDS ${bug_files} ${buggy_listings} VERBATIM
+                   COMMAND pixelscope-plant ${PIXELSCOPE_LISTING_BUGS} ${bug_files})
 file(CONFIGURE OUTPUT ${PIXELSCOPE_LESSONS_INCLUDE}/lessons_table.h @ONLY CONTENT [[
 // Written by cmake/Lessons.cmake from the folders of chapters/.
 #pragma once

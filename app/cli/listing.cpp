@@ -97,8 +97,7 @@ int run_check(const ListingArguments& arguments) {
   }
   if (!arguments.out.empty()) save_own_picture(arguments.out, checked.run.result.picture, document.a.settings);
   if (checked.run.result.trace)
-    print_listing_rows(listing_trace(*checked.run.result.trace, *listing, *pixel),
-                       parse_listing(compilation.source, LineNumbers::of_file));
+    print_listing_rows(listing_trace(*checked.run.result.trace, *listing, *pixel), parse_listing(compilation.source));
   fmt::print("{}\n", verdict_text(checked.wrong, view.width, view.height));
   return checked.wrong.count == 0 ? 0 : 1;
 }

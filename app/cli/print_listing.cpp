@@ -42,7 +42,7 @@ void print_listing(const ListingTrace& trace, int instance) {
   if (instance >= static_cast<int>(trace.instances.size()))
     throw InputError(fmt::format("--instance: found {}, expected a number below {}", instance, trace.instances.size()));
   const ListingText text = load_listing_text(trace.listing);
-  const std::string file = trace.listing.bug.empty() ? "listing.cpp" : fmt::format("bugs/{}.cpp", trace.listing.bug);
+  const std::string file = trace.listing.bug.empty() ? "listing.cpp" : fmt::format("bugs/{}.bug", trace.listing.bug);
   fmt::print("chapters/{}/{} ({})\n\n", trace.listing.folder, file, trace.listing.listing->source);
   print_listing_rows(trace, text, instance);
 }

@@ -73,9 +73,10 @@ std::string check_bug(const LessonQuestion& question, Progress& progress, std::s
   const std::string bug = bug_of_a(document);
   if (bug.empty()) return "A runs no listing with a bug";
   if (std::string objection = check_sides(document); !objection.empty()) return objection;
-  const ListingText text = text_of(bug_named(bug));
+  ListingText text;
   int line = 0;
   try {
+    text = text_of(bug_named(bug));
     line = bug_line(bug_named(bug)).number;
   } catch (const InputError& error) {
     return error.what();

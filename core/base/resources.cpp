@@ -25,7 +25,7 @@ std::filesystem::path lesson_file(std::string_view folder) { return chapter_dir(
 std::filesystem::path glossary_file() { return chapter_dir() / "glossary.md"; }
 std::filesystem::path listing_file(std::string_view folder) { return chapter_dir() / folder / "listing.cpp"; }
 std::filesystem::path listing_bug_file(std::string_view folder, std::string_view bug) {
-  return chapter_dir() / folder / "bugs" / (std::string(bug) + ".cpp");
+  return chapter_dir() / folder / "bugs" / (std::string(bug) + ".bug");
 }
 
 std::string portable_name(const std::string& name) {

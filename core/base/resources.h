@@ -22,7 +22,7 @@ std::filesystem::path glossary_file();
 /// The text of the lesson in this folder of chapter_dir(), and its listing; either may be missing.
 std::filesystem::path lesson_file(std::string_view folder);
 std::filesystem::path listing_file(std::string_view folder);
-/// The copy of that listing with a bug in it ("missing_lines").
+/// The file of a bug of that listing ("missing_lines").
 std::filesystem::path listing_bug_file(std::string_view folder, std::string_view bug);
 
 /// The name of a file as it is written for other machines: below chapter_dir() it is its place in the project

@@ -66,7 +66,7 @@ std::span<const NamedListing> listings();
 /// The one that the settings name or, with listing = auto, the one that suits best; of equals the earlier one.
 const NamedListing& listing_of(const Settings& settings, const SceneTraits& traits);
 
-/// A copy of a listing in which one line is wrong, for students to find: chapters/FOLDER/bugs/NAME.cpp.
+/// A listing in which one line is wrong, for students to find: chapters/FOLDER/bugs/NAME.bug.
 struct ListingBug {
   std::string_view folder;   ///< of the lesson
   std::string_view name;     ///< of the file: "missing_lines"

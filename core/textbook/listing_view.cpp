@@ -23,11 +23,10 @@ bool ends_statement(std::string_view line) {
 
 }  // namespace
 
-ListingText parse_listing(const std::string& source, LineNumbers numbers) {
+ListingText parse_listing(const std::string& source) {
   const std::vector<std::string> lines = listing_lines(source);
   ListingText text;
   text.shown_at.assign(lines.size() + 1, -1);
-  const int head = numbers == LineNumbers::of_file ? 0 : lines_of_head(lines);
   bool inside = false, watch = false;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string_view line = trimmed(lines[i]);
@@ -40,7 +39,7 @@ ListingText parse_listing(const std::string& source, LineNumbers numbers) {
     if (watch || line.substr(0, 3) == "PS_") {
       watch = !ends_statement(line);
     } else if (!line.empty() || (!text.lines.empty() && !text.lines.back().text.empty())) {
-      text.lines.push_back({static_cast<int>(i) + 1 - head, lines[i]});
+      text.lines.push_back({static_cast<int>(i) + 1, lines[i]});
     }
     text.shown_at[i + 1] = static_cast<int>(text.lines.size()) - 1;
   }

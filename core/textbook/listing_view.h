@@ -9,7 +9,7 @@ namespace ps {
 
 /// A line of a listing as it is shown: without the watches, which are behind the line that they belong to.
 struct ListingLine {
-  int number = 0;  ///< in the file, without the sentence at the head of a variant with a bug
+  int number = 0;  ///< in the file, from 1
   std::string text;
 };
 
@@ -20,11 +20,8 @@ struct ListingText {
   std::vector<int> shown_at;
 };
 
-/// How the lines of a source are counted: those of a variant with a bug as in its listing, without its head.
-enum class LineNumbers { of_listing, of_file };
-
-ListingText parse_listing(const std::string& source, LineNumbers numbers = LineNumbers::of_listing);
-/// Reads the listing's file, or that of its variant with a bug. Throws InputError when it cannot be read.
+ListingText parse_listing(const std::string& source);
+/// Reads the listing, with its bug if it names one. Throws InputError as listing_source() does.
 ListingText load_listing_text(const NamedListing& listing);
 
 /// A value beside a line.

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The layers of core/ and chapters/ (core/layers.txt, lowest first): folders of one line do not include each other, and
-# none includes a later line. The lessons' listings (chapters/*/listing.cpp) and their variants with a planted bug
-# (chapters/*/bugs/*.cpp) are kernels of the textbook renderer and count as its folder. core/layers.svg, the picture of
+# none includes a later line. The lessons' listings (chapters/*/listing.cpp) are kernels of the textbook renderer and
+# count as its folder. core/layers.svg, the picture of
 # all includes between folders, must be of these sources; tests/meta/layers.sh --write draws it.
 set -euo pipefail
 shopt -s globstar nullglob
@@ -10,7 +10,7 @@ layers=core/layers.txt picture=core/layers.svg
 
 # A source outside the folders of layers would be checked by nobody.
 homeless=$(printf '%s\n' core/*.{h,cpp} chapters/**/*.{h,cpp} |
-  grep -vE '^chapters/(engine/[a-z0-9_]+\.(h|cpp)|[a-z0-9_]+/(listing|bugs/[a-z0-9_]+)\.cpp)$' || true)
+  grep -vE '^chapters/(engine/[a-z0-9_]+\.(h|cpp)|[a-z0-9_]+/listing\.cpp)$' || true)
 if [[ -n $homeless ]]; then
   printf 'Sources outside the folders of layers:\n%s\n' "$homeless"
   exit 1
@@ -19,7 +19,7 @@ fi
 # Each include of another folder: PLACE FOLDER INCLUDED-FOLDER HEADER.
 includes() {
   grep -nHP '^\s*#\s*include\s*"[a-z]+/' {core,chapters}/**/*.{h,cpp} |
-    sed -E 's#^chapters/[a-z0-9_]+/(listing|bugs/[a-z0-9_]+)\.cpp:#core/textbook/&#; s#^chapters/engine/#core/engine/&#' |
+    sed -E 's#^chapters/[a-z0-9_]+/listing\.cpp:#core/textbook/&#; s#^chapters/engine/#core/engine/&#' |
     sed -nE 's#^core/([a-z]+)/(chapters/)?([^:]*:[0-9]+):[^"]*"(([a-z]+)/[^"]*)".*#\1 \2\3 \5 \4#p' |
     awk '$1 != $3 { print ($2 ~ /^chapters\// ? $2 : "core/" $1 "/" $2), $1, $3, $4 }'
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/perl
 # words.pl RULES FILE...: what in the texts that users read breaks the rules of plain English. For each finding one line
 # FILE:LINE: what was found. In .h and .cpp files these texts are the string literals, neighbouring ones joined, and in
-# bugs/*.cpp the first line; in scenes title and description; in all other files everything but code. Exit status 1 if
+# *.bug the first line; in scenes title and description; in all other files everything but code. Exit status 1 if
 # something was found.
 use strict;
 use warnings;
@@ -134,7 +134,7 @@ for my $file (@files) {
   open my $in, '<', $file or die "$file: cannot be read\n";
   local $/;
   my $content = <$in>;
-  if ($file =~ m{/bugs/[^/]*\.cpp$} && $content =~ m{\A// (.*)}) { check_text($file, 1, $1) }
+  if ($file =~ /\.bug$/ && $content =~ /\A(.*)/) { check_text($file, 1, $1); next }
   if ($file =~ /\.(h|cpp)$/) { check_source($file, $content) }
   elsif ($file =~ /\.scene$/) { check_scene($file, $content) }
   else { check_page($file, $content) }

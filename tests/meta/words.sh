@@ -31,9 +31,8 @@ if found=$(check "$scratch/planted.cpp") || [[ $found != "$expected" ]]; then
   printf 'A planted word gives:\n%s\nexpected:\n%s\n' "$found" "$expected"
   exit 1
 fi
-mkdir "$scratch/bugs"
-echo '// The lamp is dark.' > "$scratch/bugs/planted.cpp"
-if found=$(check "$scratch/bugs/planted.cpp") || [[ $found != "$scratch/bugs/planted.cpp:1: \"lamp\""* ]]; then
+echo 'The lamp is dark.' > "$scratch/planted.bug"
+if found=$(check "$scratch/planted.bug") || [[ $found != "$scratch/planted.bug:1: \"lamp\""* ]]; then
   printf 'A planted word in the sentence of a bug gives:\n%s\n' "$found"
   exit 1
 fi
@@ -42,5 +41,5 @@ if found=$(check "$scratch/planted.md") || [[ $found != "$scratch/planted.md:"*"
   exit 1
 fi
 
-check {core,app,chapters}/**/*.{h,cpp} {assets/scenes,chapters}/**/*.scene chapters/{,*/}*.md README.md \
+check {core,app,chapters}/**/*.{h,cpp} chapters/*/bugs/*.bug {assets/scenes,chapters}/**/*.scene chapters/{,*/}*.md README.md \
   {core,app,chapters}/**/README.md CONTRIBUTING.md assets/gallery/*.md {assets/*,tests/golden/reference}/ORIGIN.md

@@ -29,7 +29,7 @@ NamedListing variant_of(const ListingBug& bug) {
 TEST(ListingBug, EachIsOneLineThatIsShown) {
   EXPECT_GE(listing_bugs().size(), 20u);
   for (const ListingBug& bug : listing_bugs()) {
-    const BugLine line = bug_line(bug);  // throws unless it is exactly one
+    const BugLine line = bug_line(bug);
     const ListingText right = load_listing_text({std::string(bug.folder), {}, bug.listing});
     const ListingText wrong = load_listing_text(variant_of(bug));
     ASSERT_EQ(right.lines.size(), wrong.lines.size()) << bug.name;
@@ -56,27 +56,42 @@ TEST(ListingBug, EveryListingHasOneAndNamesDiffer) {
   EXPECT_EQ(folders.size(), listings().size());
 }
 
-std::string objection(const std::string& listing, const std::string& variant) {
+std::string objection(const std::string& listing, const std::string& text) {
   try {
-    bug_line(listing, variant, "bugs/some.cpp");
+    patch_listing(listing, parse_bug(text, "bugs/some.bug"), "bugs/some.bug");
   } catch (const InputError& error) {
     return error.what();
   }
   return "none";
 }
 
-TEST(ListingBug, MoreOrLessThanOneLineIsRefused) {
+TEST(ListingBug, OneLineOfTheListingIsReplaced) {
   const std::string listing = "#include <x>\nint f() {\n  return 1;\n}\n";
-  const std::string head = "// It is seen.\n";
-  const BugLine line = bug_line(listing, head + "#include <x>\nint f() {\n  return 2;\n}\n", "bugs/some.cpp");
-  EXPECT_EQ(line.number, 3);
-  EXPECT_EQ(line.wrong, "  return 2;");
-  EXPECT_EQ(line.right, "  return 1;");
-  EXPECT_NE(objection(listing, head + listing).find("none"), std::string::npos);
-  const std::string two = objection(listing, head + "#include <x>\nint g() {\n  return 2;\n}\n");
-  EXPECT_NE(two.find("bugs/some.cpp:4"), std::string::npos) << two;
-  const std::string more = objection(listing, head + "#include <x>\nint f() {\n  return 2;\n  }\n}\n");
-  EXPECT_NE(more.find("5 lines"), std::string::npos) << more;
+  const BugPatch bug = parse_bug("It is seen.\n- return 1;\n+ return 2;\n", "bugs/some.bug");
+  const PatchedListing patched = patch_listing(listing, bug, "bugs/some.bug");
+  EXPECT_EQ(bug.symptom, "It is seen.");
+  EXPECT_EQ(patched.text, "#include <x>\nint f() {\n  return 2;\n}\n");
+  EXPECT_EQ(patched.line.number, 3);
+  EXPECT_EQ(patched.line.wrong, "  return 2;");
+  EXPECT_EQ(patched.line.right, "  return 1;");
+}
+
+TEST(ListingBug, WhatIsNoPatchIsRefusedWithFileAndLine) {
+  const std::string listing = "int f() {\n  return 1;\n}\nint g() {\n  return 1;\n}\n";
+  EXPECT_EQ(objection(listing, "Seen.\n- int f() {\n+ int f(int) {\n"), "none");
+  EXPECT_EQ(objection(listing, "Seen.\n- return 3;\n+ return 2;\n"),
+            "bugs/some.bug:2:1: found a line that listing.cpp has not, expected one that it has once");
+  EXPECT_EQ(objection(listing, "Seen.\n- return 1;\n+ return 2;\n"),
+            "bugs/some.bug:2:1: found a line that listing.cpp has twice, as 2 and 5, expected one that it has once");
+  const std::pair<const char*, const char*> others[] = {
+      {"", "bugs/some.bug: found 0 lines"},
+      {"Seen.\n- int f() {\n", "bugs/some.bug: found 2 lines"},
+      {"Seen\n- int f() {\n+ x\n", "bugs/some.bug:1:1: found 'Seen'"},
+      {"Seen.\n-int f() {\n+ x\n", "bugs/some.bug:2:1: found '-int"},
+      {"Seen.\n- int f() {\n- x\n", "bugs/some.bug:3:1: found '- x'"},
+      {"Seen.\n- int f() {\n+ int f() {\n", "bugs/some.bug:3:1: found the"}};
+  for (const auto& [text, start] : others)
+    EXPECT_EQ(objection(listing, text).find(start), 0u) << objection(listing, text);
 }
 
 Image<Rgb8> picture(const Scene& scene, const Settings& settings) {
@@ -222,7 +237,7 @@ TEST(ListingBug, InspectShowsItsLinesAndValues) {
   const auto shown = test::run_cli({"inspect", "cgfs/spheres", "--pixel", "300,430", "--set", "renderer=textbook",
                                     "--set", "listing-bug=sunken-spheres"});
   EXPECT_EQ(shown.status, 0) << shown.err;
-  EXPECT_NE(shown.out.find("bugs/sunken_spheres.cpp"), std::string::npos) << shown.out;
+  EXPECT_NE(shown.out.find("bugs/sunken_spheres.bug"), std::string::npos) << shown.out;
   const auto at = shown.out.find("  36    const double t2 = (-b - discriminant) / (2 * a);");
   ASSERT_NE(at, std::string::npos) << shown.out;
   EXPECT_NE(shown.out.substr(at, shown.out.find('\n', at) - at).find("| t1, t2 = ("), std::string::npos) << shown.out;

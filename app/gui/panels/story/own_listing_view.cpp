@@ -55,7 +55,7 @@ void take_outcome(Session& session, OwnListingState& state) {
     state.reveal = true;
   state.taken = outcome;
   state.view.reset();
-  state.text = std::make_unique<ListingText>(parse_listing(outcome->compilation.source, LineNumbers::of_file));
+  state.text = std::make_unique<ListingText>(parse_listing(outcome->compilation.source));
   static const ListingTrace nothing;
   state.view.emplace(outcome->trace ? *outcome->trace : nothing, *state.text);
   state.rows = state.view->rows();
