@@ -94,21 +94,16 @@ void print_table(const Chart& chart) {
       continue;
     }
     const std::string upload = point.upload_ms ? fmt::format("{:.4g}", point.upload_ms->median) : "-";
-    fmt::print("{:>11.4g} {:>11.4g} {:>11.4g}{} {:>12} {:>10.4g} {:>11.4g}  {} {}\n", point.time_ms.median,
-               point.time_ms.q1, point.time_ms.q3, upload_column(chart, upload), work_text(point.work), point.error,
+    const std::string error = point.standing == Standing::truth ? "truth" : fmt::format("{:.4g}", point.error);
+    fmt::print("{:>11.4g} {:>11.4g} {:>11.4g}{} {:>12} {:>10} {:>11.4g}  {} {}\n", point.time_ms.median,
+               point.time_ms.q1, point.time_ms.q3, upload_column(chart, upload), work_text(point.work), error,
                point.memory_mb,
                point.tie        ? '~'
                : point.on_front ? '*'
                                 : ' ',
                point.what.label);
   }
-  fmt::print("{}", chart_provenance(chart));
-  if (chart.reference_halves) {
-    Reference reference;
-    reference.halves = chart.reference_halves;
-    fmt::print(" The reference itself is uncertain by {:.3g}.", reference_noise(reference, chart.metric).value_or(0));
-  }
-  fmt::print("\n");
+  fmt::print("{}\n", chart_provenance(chart));
   const std::string conclusion = chart_conclusion(chart).sentence;
   if (!conclusion.empty()) fmt::print("{}\n", conclusion);
 }

@@ -45,43 +45,47 @@ void print_json(const Document& document, const Needs& needs) {
                               {"default_time_ms", needs.default_time_ms},
                               {"work", needs.work},
                               {"default_work", needs.default_work},
-                              {"machinery", needs.machinery}};
+                              {"machinery", needs.machinery},
+                              {"truth", needs.truth},
+                              {"uncertainty", needs.uncertainty},
+                              {"increase", needs.increase}};
   json["features"] = nlohmann::ordered_json::array();
   for (const FeatureShare& share : needs.shares) {
-    nlohmann::ordered_json feature{{"name", share.feature.name},
-                                   {"used", share.used},
-                                   {"error_without", share.error_without},
-                                   {"cost_share", share.cost_share},
-                                   {"work_share", share.work_share}};
+    nlohmann::ordered_json feature{{"name", share.feature.name},           {"used", share.used},
+                                   {"error_without", share.error_without}, {"cost_share", share.cost_share},
+                                   {"work_share", share.work_share},       {"increase", share.increase}};
     if (!share.used) feature["reason"] = share.reason;
     json["features"].push_back(std::move(feature));
   }
   json["trail"] = nlohmann::ordered_json::array();
   for (const NeedsStep& step : needs.trail)
-    json["trail"].push_back(
-        {{"change", step.change}, {"error", step.error}, {"work", step.work}, {"accepted", step.accepted}});
+    json["trail"].push_back({{"change", step.change},
+                             {"error", step.error},
+                             {"work", step.work},
+                             {"accepted", step.accepted},
+                             {"increase", step.increase}});
   fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
 void print_text(const Document& document, const Needs& needs) {
-  fmt::print("{}\n\n", needs_sentence(document.scene_name, needs));
-  fmt::print("{:<30} {:>14} {:>11} {:>11}\n", "feature", "error without", "time share", "work share");
+  fmt::print("{}\n{}\n\n", needs_sentence(document.scene_name, needs), truth_sentence(needs));
+  fmt::print("{:<30} {:>14} {:>11} {:>11}\n", "without", "error added", "time share", "work share");
   for (const FeatureShare& share : needs.shares)
     if (share.used)
-      fmt::print("{:<30} {:>14.4g} {:>11} {:>10.1f}%\n", share.feature.label, share.error_without,
+      fmt::print("{:<30} {:>14.4g} {:>11} {:>10.1f}%\n", share.feature.label, share.increase,
                  share.cost_differs ? fmt::format("{:.1f}%", 100 * share.cost_share) : "noise", 100 * share.work_share);
   for (const FeatureShare& share : needs.shares)
     if (!share.used) fmt::print("{}\n", needs_free_sentence(share));
-  fmt::print("\n{:<30} {:>14} {:>23}\n", "tried", "error", "work");
+  fmt::print("\n{:<30} {:>14} {:>23}\n", "tried", "error added", "work");
   for (const NeedsStep& step : needs.trail)
-    fmt::print("{:<30} {:>14.4g} {:>23}{}\n", step.change, step.error, step.work, step.accepted ? "  taken" : "");
+    fmt::print("{:<30} {:>14.4g} {:>23}{}\n", step.change, step.increase, step.work, step.accepted ? "  taken" : "");
   fmt::print("\n");
   const std::string advice = changes(settings_for(document.base), needs.advice);
-  fmt::print("advice     {}\n", advice.empty() ? "keep the settings" : advice);
-  if (!needs.within_tolerance)
-    fmt::print("           the current settings differ from the reference by more than the tolerance; these do not\n");
-  fmt::print("error      {:.4g} of {:.4g} allowed, which is {} (largest mean FLIP of a tile); now {:.4g}\n",
-             needs.error, needs.tolerance, tolerance_words(needs.tolerance), needs.default_error);
+  const bool keep = needs.advice == document.a.settings;
+  fmt::print("advice     {}\n", keep ? keep_sentence() : advice);
+  if (!needs.within_tolerance) fmt::print("           {}\n", not_enough_sentence(needs));
+  fmt::print("error      {:.4g} added of {:.4g} allowed, which is {} (largest mean FLIP of a tile)\n", needs.increase,
+             needs.tolerance, tolerance_words(needs.tolerance));
   fmt::print("time       {:.4g} ms, now {:.4g} ms{} ({})\n", needs.time_ms, needs.default_time_ms,
              needs.time_differs ? "" : ": the same within noise", needs.machinery);
   fmt::print("work       {} rays, tests, fragments and texels, now {}\n", needs.work, needs.default_work);

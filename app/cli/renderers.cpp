@@ -15,7 +15,6 @@
 #include "number_option.h"
 #include "options/renderer_kind.h"
 #include "options/scene_settings.h"
-#include "render/left_out.h"
 #include "render/provenance.h"
 #include "scene/load.h"
 #include "study/chart.h"
@@ -62,11 +61,11 @@ ChartRequest request_for(const std::string& scene, const RenderersArguments& arg
   return request;
 }
 
-void print_points(const Chart& chart, const SceneTraits& traits) {
+void print_points(const Chart& chart) {
   for (const ChartPoint& point : chart.points) {
     const Settings& settings = point.what.value;
     std::string notes = settings.shadows == Shadows::map ? "shadow map" : "";
-    for (const LeftOut& left : left_out(traits, settings)) notes += (notes.empty() ? "" : ", ") + left.brief;
+    for (const std::string& left : point.left_out) notes += (notes.empty() ? "" : ", ") + left;
     const std::string upload = point.upload_ms ? fmt::format("{:.3g}", point.upload_ms->median) : "-";
     fmt::print("{:<16} {:<18} {:>8.3g} {:>9} {:>8.3g}  {}\n", chart.identity.scene,
                renderer_kind(settings.renderer).label, point.time_ms.median, upload, point.error, notes);
@@ -96,16 +95,17 @@ int run_renderers(const RenderersArguments& arguments) {
   StudyControl control;
   forward_interrupts(control.progress());
   std::vector<std::vector<Image<Rgb8>>> pictures;
-  std::vector<std::string> links;
+  std::vector<std::string> links, provenance;
   fmt::print("{:<16} {:<18} {:>8} {:>9} {:>8}\n", "scene", "renderer", "time ms", "upload ms", "rmse");
   for (std::size_t i = 0; i < requests.size(); ++i) {
     const Chart chart = run_chart(requests[i], control);
-    print_points(chart, scene_traits(requests[i].scene));
+    print_points(chart);
     pictures.emplace_back();
     for (const ChartPoint& point : chart.points) pictures.back().push_back(*point.picture);
     links.push_back(window_link(arguments.scenes[i], chart, arguments));
-    if (i + 1 == requests.size()) fmt::print("{}\n", chart_provenance(chart));
+    provenance.push_back(fmt::format("{}: {}", chart.identity.scene, chart_provenance(chart)));
   }
+  for (const std::string& line : provenance) fmt::print("{}\n", line);
   for (const std::string& link : links) fmt::print("pixelscope --permalink '{}'\n", link);
   if (!arguments.sheet.empty())
     save_image(arguments.sheet, picture_sheet(pictures), {image_texts(provenance_of(requests.front().base))});

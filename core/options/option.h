@@ -36,7 +36,8 @@ enum class OptionEffect { picture, display, speed };
 /// What the error of a value is measured against, when pictures over several values are charted.
 enum class TruthKind {
   undeclared,
-  as_set,         ///< no value is nearer to the truth: the picture with the value that is not swept
+  as_set,         ///< all values show the same, or what they show has no better value: the picture as set
+  other_picture,  ///< each value shows another picture on purpose, and none of them is an error
   exact,          ///< the picture with the exact settings, sampled where the others are sampled
   pixel_average,  ///< the values estimate the mean colour over a pixel: that mean, of many samples
 };

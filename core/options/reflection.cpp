@@ -100,7 +100,7 @@ std::vector<Option> reflection_rows() {
                                                "A cube map is exact only at its centre: near objects and flat mirrors "
                                                "show the wrong place, and no object reflects itself."},
                                       .keywords = "reflection map, cube map, skybox, mirror, environment mapping",
-                                      .truth = exactly_by_rays(),
+                                      .truth = averaged_by_rays(),
                                       .acts_for = ActsFor::fragments,
                                       .inactive = needs_mirrors},
                                      {{"none", "none", "Mirrors show their local colour."},
@@ -117,7 +117,7 @@ std::vector<Option> reflection_rows() {
                 "a map is then made once, and stays right for all others while those move.",
                 "CGFS ch. 15", "What is left out is not reflected, however near it is."},
            .keywords = "dynamic, static, cube map, reflection map",
-           .truth = exactly_by_rays(),
+           .truth = averaged_by_rays(),
            .acts_for = ActsFor::fragments,
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (const auto reason = needs_mirrors(s, t)) return reason;

@@ -69,7 +69,7 @@ Renderer renderer_for(PictureWay way) {
 
 namespace ps::rows {
 
-Truth exactly_by_rays() { return exactly("renderer=ray-tracer"); }
+Truth averaged_by_rays() { return pixel_average("renderer=ray-tracer"); }
 
 namespace {
 
@@ -83,7 +83,7 @@ Option renderer_row() {
                 "Rays meet exact spheres; the rasterizer draws spheres as triangles, so outlines may differ by a "
                 "pixel."},
        .keywords = "ray tracing, ray casting, path, rasterization, rasterisation, software renderer, scanline renderer",
-       .truth = exactly_by_rays(),
+       .truth = averaged_by_rays(),
        .acts_for = ActsFor::picture},
       OptionKind::choice);
   listed = true;
@@ -100,7 +100,7 @@ Option listing_row() {
        .help = {"The lesson's routine that the textbook renderer runs.", "CGFS, chapter by chapter",
                 "A listing draws only what its chapter covers: a chapter on lines leaves out spheres."},
        .keywords = "code, source, routine, chapter, pseudocode",
-       .truth = exactly_by_rays(),
+       .truth = averaged_by_rays(),
        .acts_for = ActsFor::listings},
       OptionKind::choice);
   option.choices.push_back({"auto", "automatic", "Automatic: the most advanced listing that can draw this scene."});

@@ -80,7 +80,7 @@ Option light_shown_row() {
        .help = {"Shows the contribution of one light, or of all.", "CGFS ch. 15; CGPP 15.7.2.3",
                 "The pictures of the single lights add up to the full one, unless a colour is clamped."},
        .keywords = "solo, single light, isolate a light",
-       .truth = exactly("light-shown=all"),
+       .truth = other_picture(),
        .inactive = needs_several_lights},
       light_choices(std::make_index_sequence<most_lights>()));
   option.sweep_values = "all,0,1,2";  // most scenes have no more lights
@@ -149,7 +149,7 @@ std::vector<Option> shading_rows() {
            .help = {"Lighting model: relative intensities as in the book, or radiometric units.",
                     "CGFS ch. 3; CGPP 15.4", "Radiometric pictures need exposure and gamma to look right."},
            .keywords = "radiometry, photometry, physically based, PBR, Lambert, watt, inverse square",
-           .truth = as_set(),
+           .truth = other_picture(),
            .inactive = needs_lighting},
           {{"book", "the book's",
             "Relative intensities without distance fall-off; matte surfaces stay below 1 if they sum to 1, highlights "
@@ -183,7 +183,7 @@ std::vector<Option> shading_rows() {
            .help = {"The angle on which the highlight depends.", "CGFS ch. 3; OCT",
                     "The same exponent gives a wider highlight with N.H than with R.V."},
            .keywords = "specular, Blinn, Phong, half vector, shininess",
-           .truth = as_set(),
+           .truth = other_picture(),
            .inactive = needs_visible_highlights},
           {{"phong", "R.V (Phong)", "Angle between the reflected light direction R and the view direction V."},
            {"blinn-phong", "N.H (Blinn-Phong)", "Angle between the normal N and the half vector H."}}),

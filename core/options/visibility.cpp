@@ -105,7 +105,7 @@ std::vector<Option> visibility_rows() {
            .truth = exactly("depth-format=plain"),
            .acts_for = ActsFor::fragments,
            .inactive = needs_range},
-          {{"plain", "the value itself", "1/z, z or the distance as a floating-point number."},
+          {{"plain", "plain float", "1/z, z or the distance as a floating-point number."},
            {"unit-float", "float, 0 to 1", "0 at the near plane, 1 at the far one, as 32-bit float."},
            {"unorm", "integer, 0 to 1", "The same as an integer with depth-bits bits."}}),
       integer<&Settings::depth_bits>(

@@ -11,6 +11,7 @@
 #include "frame/display_frame.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
+#include "render/left_out.h"
 #include "study/chart_front.h"
 #include "study/chart_log.h"
 #include "study/counted_work.h"
@@ -85,11 +86,16 @@ class Runner {
     chart_.metric = request_.error.metric;
     chart_.across = request_.across;
     chart_.reference_halves = reference_.halves;
+    const std::vector<Standing> standing = request_.reference.file.empty()
+                                               ? standings(request_.points, plan, traits_)
+                                               : std::vector(request_.points.size(), Standing::compared);
     for (std::size_t i = 0; i < request_.points.size(); ++i)
       if (static_cast<int>(i) % request_.shard.count == request_.shard.index) {
         ChartPoint point;
         point.number = static_cast<int>(i);
         point.what = request_.points[i];
+        point.standing = standing[i];
+        for (const LeftOut& left : left_out(traits_, timed.settings[i])) point.left_out.push_back(left.brief);
         chart_.points.push_back(std::move(point));
         drawn_with_.push_back(timed.settings[i]);
       }
@@ -275,7 +281,7 @@ void summarise(Chart& chart, ErrorMetric metric) {
     if (!point.measured()) continue;
     point.time_ms = quartiles(point.samples_ms);
     if (!point.uploads_ms.empty()) point.upload_ms = quartiles(point.uploads_ms);
-    point.error = error_of(point.comparison, metric);
+    point.error = error_of(point.standing == Standing::truth ? Comparison{} : point.comparison, metric);
     const double sign = error_metric(metric).higher_is_better ? -1 : 1;
     if (chart.across == ChartAcross::work && !point.work) {  // has no place on this axis
       point.cost = {nowhere, nowhere, nowhere};
@@ -283,6 +289,7 @@ void summarise(Chart& chart, ErrorMetric metric) {
     }
     const auto work = static_cast<double>(point.work.value_or(0));
     point.cost = chart.across == ChartAcross::time ? point.time_ms : Quartiles{work, work, work};
+    if (!point.ranked()) continue;
     tradeoffs.push_back({point.cost.median, sign * point.error});
     measured.push_back(&point);
   }

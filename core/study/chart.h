@@ -12,6 +12,7 @@
 #include "study/control.h"
 #include "study/reference.h"
 #include "study/same_machinery.h"
+#include "study/standing.h"
 #include "study/sweep.h"
 #include "study/timing.h"
 
@@ -27,6 +28,8 @@ enum class ChartAcross {
 struct ChartPoint {
   int number = 0;  ///< in the whole sweep, from 0; shards keep the numbers of the whole
   SweepPoint what;
+  Standing standing = Standing::compared;
+  std::vector<std::string> left_out;  ///< what its renderer cannot show, in a few words each: "leaves out shadows"
   /// One for each repeat: wall time of one render, everything prepared; of a graphics driver, DriverTimes::draw_ms.
   std::vector<double> samples_ms;
   Quartiles time_ms;
@@ -39,7 +42,7 @@ struct ChartPoint {
   double memory_mb = 0;   ///< Prepared and Frame, in 10^6 bytes
   Comparison comparison;
   bool compared = false;  ///< comparison, memory, counters and work are known
-  double error = 0;       ///< the chosen metric
+  double error = 0;       ///< the chosen metric; of the truth itself that of equal pictures
   Counters counters;
   std::optional<std::uint64_t> work;   ///< counted_work() of the counters, which are the same on every processor
   bool on_front = false;               ///< by the measured numbers: no other point is as good in both and better in one
@@ -49,6 +52,8 @@ struct ChartPoint {
   bool measured() const { return compared && !samples_ms.empty(); }
   /// Has a place on the chart. A renderer that counts no work has none where work is the horizontal axis.
   bool placed() const { return measured() && !std::isnan(cost.median); }
+  /// Can it be better or worse than others? What shows another picture on purpose cannot.
+  bool ranked() const { return placed() && standing != Standing::other_picture; }
 };
 
 /// What decides the numbers of a chart besides the points and the machine; results with another identity do not mix.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
@@ -27,18 +28,26 @@ std::string_view renderer_key(const Settings& settings) { return choice_key<&Set
 std::string shortest_text(double value) { return fmt::format("{}", value); }
 
 Json point_json(const ChartPoint& point) {
-  Json json{{"label", point.what.label},       {"renderer", renderer_key(point.what.value)},
-            {"settings", point.what.settings}, {"time_ms", point.time_ms.median},
-            {"time_q1_ms", point.time_ms.q1},  {"time_q3_ms", point.time_ms.q3},
-            {"samples_ms", point.samples_ms},  {"prepare_ms", point.prepare_ms},
-            {"memory_mb", point.memory_mb},    {"on_front", point.on_front},
-            {"name", point.what.name},         {"tie", point.tie}};
+  Json json{{"label", point.what.label},
+            {"renderer", renderer_key(point.what.value)},
+            {"settings", point.what.settings},
+            {"time_ms", point.time_ms.median},
+            {"time_q1_ms", point.time_ms.q1},
+            {"time_q3_ms", point.time_ms.q3},
+            {"samples_ms", point.samples_ms},
+            {"prepare_ms", point.prepare_ms},
+            {"memory_mb", point.memory_mb},
+            {"on_front", point.on_front},
+            {"name", point.what.name},
+            {"tie", point.tie},
+            {"standing", standing_key(point.standing)},
+            {"left_out", point.left_out}};
   if (point.upload_ms) {
     json["upload_ms"] = point.upload_ms->median;
     json["uploads_ms"] = point.uploads_ms;
   }
   json["work"] = point.work ? Json(*point.work) : Json();  // null: the renderer counts none
-  if (std::isfinite(point.error))
+  if (std::isfinite(point.error) && point.standing != Standing::truth)
     json["error"] = point.error;
   else
     json["error"] = nullptr;
@@ -63,15 +72,18 @@ std::string chart_csv(const Chart& chart) {
   for (const ChartPoint* point : measured)
     text += csv_row({point->what.label, std::string(renderer_key(point->what.value)), point->what.settings,
                      shortest_text(point->time_ms.median), shortest_text(point->time_ms.q1),
-                     shortest_text(point->time_ms.q3), shortest_text(point->error), shortest_text(point->memory_mb),
-                     point->on_front ? "1" : "0", point->work ? work_text(point->work) : "", chart.identity.machinery,
-                     chart.identity.reference});
+                     shortest_text(point->time_ms.q3),
+                     point->standing == Standing::truth ? "" : shortest_text(point->error),
+                     shortest_text(point->memory_mb), point->on_front ? "1" : "0",
+                     point->work ? work_text(point->work) : "", chart.identity.machinery, chart.identity.reference});
   return csv_with_columns(csv_with_provenance(text, chart_machine_provenance(chart), "base_settings"),
-                          {"tie", "upload_ms"}, [&](std::size_t i) {
+                          {"tie", "upload_ms", "standing", "left_out"}, [&](std::size_t i) {
                             PS_ASSERT(i < measured.size(), "each line of the table is a point");
                             const ChartPoint& point = *measured[i];
                             return std::vector<std::string>{
-                                point.tie ? "1" : "0", point.upload_ms ? shortest_text(point.upload_ms->median) : ""};
+                                point.tie ? "1" : "0", point.upload_ms ? shortest_text(point.upload_ms->median) : "",
+                                std::string(standing_key(point.standing)),
+                                fmt::format("{}", fmt::join(point.left_out, "; "))};
                           });
 }
 

@@ -8,7 +8,8 @@ namespace ps {
 
 /// The measured points as a table with a heading: label, renderer, settings, time_ms, time_q1_ms, time_q3_ms, error,
 /// memory_mb, on_front, work, machinery, truth, the provenance: program, processor, simd, threads, base_settings,
-/// tie and upload_ms (ChartPoint::upload_ms, empty where there is none).
+/// tie, upload_ms (ChartPoint::upload_ms, empty where there is none), standing ("compared", "truth" or "other-picture")
+/// and left_out. The error of the truth itself is empty.
 std::string chart_csv(const Chart& chart);
 /// Everything: the sentence ("conclusion"), identity, machine, the reference's noise, all metrics and samples of each
 /// point.

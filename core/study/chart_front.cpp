@@ -14,8 +14,8 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 double as_rmse(double psnr) { return std::pow(10.0, -psnr / 20); }
 double as_psnr(double rmse) { return rmse > 0 ? -20 * std::log10(rmse) : unbounded; }
 
-bool times_known(const Chart& chart, const ChartPoint& point) {
-  return chart.across == ChartAcross::work || static_cast<int>(point.samples_ms.size()) >= least_runs_for_quartiles;
+bool times_known(const ChartPoint& point) {
+  return static_cast<int>(point.samples_ms.size()) >= least_runs_for_quartiles;
 }
 
 bool equal_cost(const Chart& chart, const ChartPoint& a, const ChartPoint& b) {
@@ -50,7 +50,8 @@ ErrorRange error_range(ErrorMetric metric, double error, std::optional<double> n
 }
 
 bool surely_cheaper(const Chart& chart, const ChartPoint& a, const ChartPoint& b) {
-  return times_known(chart, a) && times_known(chart, b) && a.cost.q3 < b.cost.q1;
+  if (chart.across == ChartAcross::work) return a.cost.median < b.cost.median;
+  return times_known(a) && times_known(b) && a.cost.median < b.cost.median && !within_noise(a.cost, b.cost);
 }
 
 bool surely_more_exact(const Chart& chart, const ChartPoint& a, const ChartPoint& b) {
@@ -59,10 +60,10 @@ bool surely_more_exact(const Chart& chart, const ChartPoint& a, const ChartPoint
 }
 
 FrontPlace front_place(const Chart& chart, const ChartPoint& point) {
-  if (!point.placed()) return FrontPlace::beaten;
+  if (!point.ranked()) return FrontPlace::beaten;
   bool may_be_beaten = false;
   for (const ChartPoint& other : chart.points) {
-    if (&other == &point || !other.placed()) continue;
+    if (&other == &point || !other.ranked()) continue;
     const bool same_cost = equal_cost(chart, other, point), same_error = other.error == point.error;
     const bool cheaper = surely_cheaper(chart, other, point), better = surely_more_exact(chart, other, point);
     if ((cheaper && (better || same_error)) || (better && same_cost)) return FrontPlace::beaten;
@@ -90,7 +91,7 @@ std::vector<FrontBandPart> front_band(const Chart& chart) {
   std::vector<Corner> corners;
   std::vector<double> costs;
   for (const ChartPoint& point : chart.points) {
-    if (!point.placed() || std::isnan(point.error)) continue;
+    if (!point.ranked() || std::isnan(point.error)) continue;
     corners.push_back({point.cost, error_range(chart.metric, point.error, noise)});
     costs.insert(costs.end(), {point.cost.q1, point.cost.q3});
   }

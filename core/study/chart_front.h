@@ -23,7 +23,7 @@ struct ErrorRange {
 /// itself, is taken as an RMSE, and that of SSIM as its distance from 1.
 ErrorRange error_range(ErrorMetric metric, double error, std::optional<double> noise);
 
-/// Does `a` cost less than `b`, whatever the noise? The quartiles of their times lie apart, with
+/// Does `a` cost less than `b`, whatever the noise? Their times are not within_noise() of each other, with
 /// least_runs_for_quartiles of each. Work is counted without noise.
 bool surely_cheaper(const Chart& chart, const ChartPoint& a, const ChartPoint& b);
 /// Is the error of `a` better than that of `b` by more than the reference's uncertainty?

@@ -1,11 +1,13 @@
 #include "study/chart_style.h"
 
-#include "options/renderer_kind.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "options/renderer_kind.h"
+#include "study/chart_front.h"
 
 namespace ps {
 
@@ -41,7 +43,17 @@ SweepNames chart_names(const Chart& chart) {
   return split_names(names);
 }
 
-std::string mark_label(const ChartPoint& point, const std::string& name) { return point.tie ? name + " (tie)" : name; }
+std::string mark_label(const Chart& chart, const ChartPoint& point, const std::string& name) {
+  std::vector<std::string> notes;
+  for (const std::string& left : point.left_out)
+    if (!std::all_of(chart.points.begin(), chart.points.end(), [&](const ChartPoint& other) {
+          return std::find(other.left_out.begin(), other.left_out.end(), left) != other.left_out.end();
+        }))
+      notes.push_back(left);
+  if (point.tie) notes.insert(notes.begin(), "tie");
+  if (point.standing == Standing::truth) notes.insert(notes.begin(), "the truth");
+  return notes.empty() ? name : fmt::format("{} ({})", name, fmt::join(notes, ", "));
+}
 
 std::vector<const ChartPoint*> front_by_cost(const Chart& chart) {
   std::vector<const ChartPoint*> front;
@@ -54,6 +66,8 @@ std::vector<const ChartPoint*> front_by_cost(const Chart& chart) {
 
 std::string chart_provenance(const Chart& chart) {
   std::string text = fmt::format("Truth: {}.", chart.identity.reference);
+  if (const auto noise = chart_noise(chart); noise && std::isfinite(*noise))
+    text += fmt::format(" The reference itself is uncertain by {:.2g}.", *noise);
   if (!chart.identity.machinery.empty()) text += fmt::format(" Timed: {}.", chart.identity.machinery);
   for (const ChartPoint& point : chart.points)
     if (point.upload_ms) {

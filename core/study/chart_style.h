@@ -24,13 +24,14 @@ std::optional<double> cost_with_upload(const Chart& chart, const ChartPoint& poi
 
 /// The names of all points, in their order, and what they have in common: "Samples per pixel", and "1", "4", "16".
 SweepNames chart_names(const Chart& chart);
-/// What is beside the mark of a point: its part of chart_names(), and whether it is a tie.
-std::string mark_label(const ChartPoint& point, const std::string& name);
+/// What is beside the mark of a point: its part of chart_names(), whether it is the truth or a tie, and what it leaves
+/// out and others do not.
+std::string mark_label(const Chart& chart, const ChartPoint& point, const std::string& name);
 
 /// Points on the front, the cheapest first.
 std::vector<const ChartPoint*> front_by_cost(const Chart& chart);
-/// The sentences under a chart: what its errors are measured against, which code its times are of, and whether its log
-/// was damaged.
+/// The sentences under a chart: what its errors are measured against and how uncertain that is, which code its times
+/// are of, and whether its log was damaged.
 std::string chart_provenance(const Chart& chart);
 
 /// One for each renderer and precision: violet against ochre, so that colour-blind eyes can separate them as well, and
@@ -48,6 +49,8 @@ MarkShape mark_shape(Renderer renderer);
 std::string hex_colour(Rgb8 colour);
 
 inline constexpr double smallest_mark_radius = 4, largest_mark_radius = 9;
+inline constexpr double truth_ring_gap =
+    3;  ///< between the mark of the truth and the ring around it, pixels at scale 1
 /// The area of a mark grows with the memory, in pixels at scale 1.
 double mark_radius(double memory_mb, double largest_mb);
 

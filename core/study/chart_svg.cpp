@@ -142,21 +142,42 @@ std::string upload_bar(const Chart& chart, const ChartPoint& point, const ChartA
   return line(from, to, colour, 2, " stroke-dasharray=\"2 4\"") + line(to - Vec2d(0, 7), to + Vec2d(0, 7), colour, 2);
 }
 
+std::string error_text(const ChartPoint& point) {
+  switch (point.standing) {
+  case Standing::compared:
+    return fmt::format("error {:.4g}", point.error);
+  case Standing::truth:
+    return "the truth itself";
+  case Standing::other_picture:
+    return fmt::format("another picture on purpose, different by {:.4g}", point.error);
+  }
+  return "";
+}
+
+std::string truth_ring(Vec2d at, double radius, std::string_view colour) {
+  return fmt::format("<path d=\"M {0:.1f} {1:.1f} a {2:.1f} {2:.1f} 0 1 0 {3:.1f} 0 a {2:.1f} {2:.1f} 0 1 0 -{3:.1f} "
+                     "0\" fill=\"none\" stroke=\"{4}\" stroke-width=\"1.5\"/>\n",
+                     at.x - radius, at.y, radius, 2 * radius, colour);
+}
+
 std::string mark(const ChartPoint& point, const ChartAxes& axes, double largest_memory) {
   const Vec2d at = on_plot(axes, point.cost.median, point.error);
   const Vec2d low = on_plot(axes, point.cost.q1, point.error), high = on_plot(axes, point.cost.q3, point.error);
   const std::string colour = hex_colour(mark_colour(point.what.value));
   std::string svg = line(low, high, colour, 2);
   for (const Vec2d& end : {low, high}) svg += line(end - Vec2d(0, 4), end + Vec2d(0, 4), colour, 2);
-  const std::string look = fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"{}\"", point.tie ? "#ffffff" : colour,
-                                       point.tie        ? colour
+  const bool hollow = point.tie || !point.ranked();
+  const std::string look = fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"{}\"", hollow ? "#ffffff" : colour,
+                                       hollow           ? colour
                                        : point.on_front ? "#000000"
                                                         : "#ffffff",
-                                       point.on_front || point.tie ? 2 : 1);
-  const std::string words = fmt::format("{}: {:.4g} ms ({:.4g} to {:.4g}), work {}, error {:.4g}, {:.4g} MB",
-                                        point.what.settings, point.time_ms.median, point.time_ms.q1, point.time_ms.q3,
-                                        work_text(point.work), point.error, point.memory_mb);
-  return svg + sign(point.what.value.renderer, at, mark_radius(point.memory_mb, largest_memory), look, words);
+                                       point.on_front || hollow ? 2 : 1);
+  const std::string words =
+      fmt::format("{}: {:.4g} ms ({:.4g} to {:.4g}), work {}, {}, {:.4g} MB", point.what.settings, point.time_ms.median,
+                  point.time_ms.q1, point.time_ms.q3, work_text(point.work), error_text(point), point.memory_mb);
+  const double radius = mark_radius(point.memory_mb, largest_memory);
+  if (point.standing == Standing::truth) svg += truth_ring(at, radius + truth_ring_gap, colour);
+  return svg + sign(point.what.value.renderer, at, radius, look, words);
 }
 
 std::string labels(const Chart& chart, const ChartAxes& axes) {
@@ -167,7 +188,7 @@ std::string labels(const Chart& chart, const ChartAxes& axes) {
   for (std::size_t i = 0; i < chart.points.size(); ++i) {
     const ChartPoint& point = chart.points[i];
     if (!point.placed()) continue;
-    texts.push_back(mark_label(point, names.parts[i]));
+    texts.push_back(mark_label(chart, point, names.parts[i]));
     const Vec2d at = on_plot(axes, point.cost.median, point.error) - plot_corner;
     const double low = on_plot(axes, point.cost.q1, point.error).x - plot_corner.x;
     const double right = std::max(point.cost.q3, cost_with_upload(chart, point).value_or(0));

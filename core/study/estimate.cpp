@@ -7,6 +7,7 @@
 
 #include "frame/display_frame.h"
 #include "options/renderer_kind.h"
+#include "study/needs_truth.h"
 #include "study/same_machinery.h"
 #include "study/worst_tile.h"
 
@@ -79,6 +80,13 @@ class Trial {
     return (clock_() - start) * pixels_of(view_) / pixels_of(small);
   }
 
+  ReferencePlan affordable(const ReferencePlan& plan) {
+    RenderRequest how;
+    how.priority = priority_;
+    Prepared prepared;
+    return ps::affordable(plan, scene_, view_, how, prepared, control_.progress());
+  }
+
   double pixels() const { return pixels_of(view_); }
 
  private:
@@ -122,9 +130,8 @@ double chart_point_seconds(double picture, int repeats, double shortest_sample) 
   return sum + (repeats - 1) * (1 + calls) * picture;
 }
 
-double reference_seconds(const ChartRequest& request, const SceneTraits& traits, Trial& trial) {
-  if (!request.reference.file.empty()) return 0;
-  const ReferencePlan plan = plan_reference(request.points, request.base, traits, request.view, request.reference);
+double reference_seconds(const ReferencePlan& planned, Trial& trial) {
+  const ReferencePlan plan = trial.affordable(planned);
   Settings settings = plan.settings;
   if (plan.samples == 1) return trial.seconds_of(settings);
   if (!sends_rays(settings.renderer)) return trial.time_of(settings).of(plan.samples * trial.pixels());
@@ -150,7 +157,10 @@ StudyEstimate estimate_chart(const ChartRequest& request, StudyControl& control,
   const double compare = trial.comparing(timed.settings.front(), [&](const MeasuredPicture& picture) {
     compare_pictures(picture, picture, {request.error.metric, request.error.values, {}});
   });
-  estimate.seconds = reference_seconds(request, traits, trial) + compare;
+  estimate.seconds = compare;
+  if (request.reference.file.empty())
+    estimate.seconds +=
+        reference_seconds(plan_reference(request.points, request.base, traits, request.view, request.reference), trial);
   for (std::size_t i = 0; i < timed.settings.size(); ++i) {
     if (static_cast<int>(i) % request.shard.count != request.shard.index) continue;
     ++estimate.pictures;
@@ -177,7 +187,7 @@ NeedsEstimate estimate_needs(const NeedsRequest& request, StudyControl& control,
   estimate.round.pictures = static_cast<int>(savings(request.base, traits).size());
   estimate.round.seconds = estimate.round.pictures * tried;
   estimate.least.pictures = 1 + used + estimate.round.pictures;
-  const double reference = trial.seconds_of(reference_settings(request.base, traits));
+  const double reference = reference_seconds(needs_truth(request.base, traits, request.view).plan, trial);
   estimate.least.seconds = reference + estimate.least.pictures * tried + 2.0 * request.repeats * (2 + used) * timed;
   return estimate;
 }

@@ -9,7 +9,7 @@
 #include "frame/display_frame.h"
 #include "options/option.h"
 #include "options/renderer_kind.h"
-#include "study/reference.h"
+#include "study/needs_truth.h"
 #include "study/same_machinery.h"
 #include "study/timing.h"
 #include "study/worst_tile.h"
@@ -20,7 +20,9 @@ namespace {
 struct Tried {
   Settings settings;
   std::shared_ptr<const Image<Rgb8>> picture;
-  double error = 0;
+  std::vector<double> tiles;  // tile_flips() against the truth
+  double error = 0;           // the largest of them
+  double increase = 0;        // over where the search started
   std::uint64_t work = 0;
 };
 
@@ -31,42 +33,47 @@ class Search {
       : request_(request), control_(control), update_(update), traits_(scene_traits(request.scene)) {}
 
   Needs run() {
-    Settings best = reference_settings(request_.base, traits_);
-    // Whether a line goes through one pixel or its neighbour is a tie more often than not: there is no better truth.
-    if (request_.base.draw != Draw::filled) best.precision = request_.base.precision;
-    // Fragments cannot trace shadows: who asks them to has asked for none.
-    if (draws_fragments(request_.base.renderer) && request_.base.shadows == Shadows::traced)
-      best.shadows = Shadows::none;
-    best.samples_per_pixel = request_.base.samples_per_pixel;
-    best.sample_pattern = request_.base.sample_pattern;
-    // Bounces that no mirror makes are nothing to advise.
-    if (inactive_reason(*find_option("reflection-depth"), best, traits_))
-      best.reflection_depth = request_.base.reflection_depth;
-    reference_ = picture_of(best).levels;
+    const NeedsTruth truth = needs_truth(request_.base, traits_, request_.view);
+    take_reference(truth.plan);
     needs_.tolerance = request_.tolerance;
-    const Tried start = try_out(request_.base);
+    Tried start = try_out(request_.base);
+    start_ = start.tiles;
     needs_.default_error = start.error;
     needs_.default_work = start.work;
     needs_.picture = start.picture;
-    needs_.within_tolerance = start.error <= request_.tolerance;
     measure_features(start);
-    // Where the settings themselves stray too far, what costs less strays as well: the search comes from the truth.
-    const Tried found = descend(needs_.within_tolerance ? start : cheapest_truth(best));
+    if (const auto better = better_start(start, truth.exact)) {
+      needs_.within_tolerance = false;
+      start = *better;
+      start_ = start.tiles;
+    }
+    const Tried found = descend(start);
     needs_.advice = found.settings;
     needs_.error = found.error;
+    needs_.increase = found.increase;
     needs_.work = found.work;
     measure_times();
     return std::move(needs_);
   }
 
  private:
-  /// The reference's settings, in the numbers of the settings asked about if that is within the tolerance. Rounding
-  /// makes a few rays more or less, and the search would not pay one ray for numbers of half the size.
-  Tried cheapest_truth(const Settings& best) {
-    Settings plain = best;
-    plain.precision = request_.base.precision;
-    const Tried tried = try_out(plain);
-    return tried.error <= request_.tolerance || plain.precision == best.precision ? tried : try_out(best);
+  void take_reference(const ReferencePlan& plan) {
+    control_.wait_here();
+    const Reference made = make_reference(request_.scene, request_.view, plan, {}, {ErrorMetric::flip, {}, {}},
+                                          request_.priority, control_.progress());
+    reference_ = made.picture.levels;
+    needs_.truth = made.description;
+    needs_.uncertainty = reference_noise(made, ErrorMetric::flip).value_or(0);
+  }
+
+  /// The exact settings, where they come closer to the truth by more than the tolerance and lose as much nowhere.
+  std::optional<Tried> better_start(const Tried& start, const Settings& exact) {
+    if (exact == start.settings) return {};
+    Tried better = try_out(exact);
+    const double gain = worst_increase(better.tiles, start.tiles), loss = better.increase;
+    if (gain <= request_.tolerance || loss > request_.tolerance) return {};
+    better.increase = 0;  // it is what the search compares with
+    return better;
   }
 
   struct Rendered {
@@ -91,8 +98,14 @@ class Search {
     ++status_.done;
     status_.total = std::max(status_.total, status_.done);
     if (update_) update_(needs_, status_);
-    const double error = worst_tile_flip(reference_, rendered.levels);
-    return {settings, std::make_shared<const Image<Rgb8>>(std::move(rendered.levels)), error, rendered.work};
+    Tried tried;
+    tried.settings = settings;
+    tried.tiles = tile_flips(reference_, rendered.levels);
+    tried.error = *std::max_element(tried.tiles.begin(), tried.tiles.end());
+    if (!start_.empty()) tried.increase = worst_increase(start_, tried.tiles);
+    tried.picture = std::make_shared<const Image<Rgb8>>(std::move(rendered.levels));
+    tried.work = rendered.work;
+    return tried;
   }
 
   void measure_features(const Tried& start) {
@@ -106,6 +119,7 @@ class Search {
         share.used = true;
         const Tried tried = try_out(without(feature, request_.base));
         share.error_without = tried.error;
+        share.increase = tried.increase;
         share.picture = tried.picture;
         if (start.work > 0) share.work_share = 1 - static_cast<double>(tried.work) / static_cast<double>(start.work);
       }
@@ -113,12 +127,29 @@ class Search {
     }
   }
 
-  /// An error must be paid for in work. A fragment and a test do not cost the same, so only half the count makes the
-  /// other renderer surely the cheaper one.
-  static bool worth_it(const Tried& now, const Tried& then) {
+  /// An error must be paid for in work, and by more than noise. A fragment and a test do not cost the same, so only
+  /// half the count makes the other renderer surely the cheaper one.
+  bool worth_it(const Tried& now, const Tried& then, const Saving& saving) const {
+    const Option& option = *find_option(saving.option);
+    const bool as_asked = option.get(now.settings) == option.get(request_.base);
+    if (!as_asked) return then.work < now.work;  // back from the exact value towards the one asked about
     if (then.settings.renderer != now.settings.renderer) return 2 * then.work <= now.work;
     if (then.settings.precision != now.settings.precision) return then.work <= now.work;  // numbers of half the size
-    return then.work < now.work || (then.work == now.work && then.error <= now.error);
+    if (switches_off(saving) && worst_increase(now.tiles, then.tiles) == 0) return then.work <= now.work;
+    return static_cast<double>(then.work) <= (1 - least_saving) * static_cast<double>(now.work);
+  }
+
+  static bool is_off(const Feature& feature, const Saving& saving) {
+    return feature.option == saving.option && feature.off == saving.value;
+  }
+  static bool switches_off(const Saving& saving) {
+    return std::any_of(features().begin(), features().end(),
+                       [&](const Feature& feature) { return is_off(feature, saving); });
+  }
+  bool drops_what_is_needed(const Saving& saving) const {
+    return std::any_of(needs_.shares.begin(), needs_.shares.end(), [&](const FeatureShare& share) {
+      return is_needed(share, request_.tolerance) && is_off(share.feature, saving);
+    });
   }
 
   /// Steepest descent in counted work.
@@ -127,12 +158,14 @@ class Search {
       std::optional<Tried> next;
       std::size_t next_step = 0;
       for (const Saving& saving : savings(now.settings, traits_)) {
+        if (drops_what_is_needed(saving)) continue;
         Settings settings = now.settings;
         parse_option(*find_option(saving.option), saving.value, settings);
         const Tried tried = try_out(settings);
-        needs_.trail.push_back({fmt::format("{}={}", saving.option, saving.value), tried.error, tried.work, false});
+        needs_.trail.push_back(
+            {fmt::format("{}={}", saving.option, saving.value), tried.error, tried.increase, tried.work, false});
         // At equal work the first is kept: savings() lists whole features before their cheaper forms.
-        const bool allowed = tried.error <= request_.tolerance && worth_it(now, tried);
+        const bool allowed = tried.increase <= request_.tolerance && worth_it(now, tried, saving);
         if (!allowed || (next && tried.work >= next->work)) continue;
         next = tried;
         next_step = needs_.trail.size() - 1;
@@ -142,8 +175,6 @@ class Search {
       now = *next;
     }
   }
-
-  static bool lie_apart(const Quartiles& a, const Quartiles& b) { return a.q3 < b.q1 || b.q3 < a.q1; }
 
   void measure_times() {
     std::vector<Settings> all{request_.base, needs_.advice};
@@ -167,11 +198,11 @@ class Search {
     const Quartiles base = quartiles(samples[0]), advice = quartiles(samples[1]);
     needs_.default_time_ms = base.median;
     needs_.time_ms = advice.median;
-    needs_.time_differs = lie_apart(base, advice);
+    needs_.time_differs = !within_noise(base, advice);
     for (std::size_t i = 0; i < measured.size(); ++i) {
       const Quartiles less = quartiles(samples[i + 2]);
       measured[i]->cost_share = 1 - less.median / base.median;
-      measured[i]->cost_differs = lie_apart(base, less);
+      measured[i]->cost_differs = !within_noise(base, less);
     }
   }
 
@@ -181,6 +212,7 @@ class Search {
   SceneTraits traits_;
   Prepared prepared_;
   Image<Rgb8> reference_;
+  std::vector<double> start_;  ///< tile_flips() of the picture from which the search starts
   Needs needs_;
   StudyStatus status_;
 };

@@ -56,7 +56,7 @@ std::string needs_sentence(std::string_view scene_name, const Needs& needs) {
   for (const FeatureShare& share : needs.shares) {
     const std::string noun(share.feature.noun);
     if (share.used)
-      (share.error_without > needs.tolerance ? needed : spare).push_back(noun);
+      (is_needed(share, needs.tolerance) ? needed : spare).push_back(noun);
     else if (!share.absent)
       off.push_back(noun);
   }
@@ -71,6 +71,23 @@ std::string needs_sentence(std::string_view scene_name, const Needs& needs) {
     text += fmt::format(" It has {}.", absent);
   if (!off.empty()) text += fmt::format(" With these settings unused: {}.", list(off));
   return text;
+}
+
+std::string keep_sentence() {
+  return fmt::format("Keep the settings: nothing that stays within the tolerance saves {:.0f} % of the work.",
+                     100 * least_saving);
+}
+
+std::string not_enough_sentence(const Needs& needs) {
+  return fmt::format("The current settings are not enough: exact ones are closer to the truth by a FLIP of more than "
+                     "{:.2g} in some tile. Compared with those, the advice adds {:.2g}.",
+                     needs.tolerance, needs.increase);
+}
+
+std::string truth_sentence(const Needs& needs) {
+  return fmt::format("As it is, the worst tile differs by a FLIP of {:.2g} from the truth, which is {}.{}",
+                     needs.default_error, needs.truth,
+                     needs.uncertainty > 0 ? fmt::format(" That is uncertain by {:.2g}.", needs.uncertainty) : "");
 }
 
 std::string_view tolerance_words(double tolerance) {

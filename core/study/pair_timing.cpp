@@ -43,6 +43,10 @@ void summarise(PairTiming& timing, const StageSamples& stages) {
 
 }  // namespace
 
+bool PairTiming::shows_an_order() const {
+  return !equal_settings && !within_noise(time_ms[0], time_ms[1]) && !within_noise(ratio, {1, 1, 1});
+}
+
 PairTiming time_in_turn(const std::array<TimedCall, 2>& calls, const PairTimingOptions& options, StudyControl& control,
                         const PairTimingUpdate& update, const Clock& clock) {
   PS_ASSERT(options.rounds >= 1 && options.fewest_rounds >= 1, "a timing has rounds");
@@ -85,7 +89,9 @@ PairTiming time_pair(const PairTimingRequest& request, const PairTimingOptions& 
       return render(request.scene, request.view, request.settings[side], how, prepared, control.progress()).times;
     };
   };
-  return time_in_turn({call(0), call(1)}, options, control, update, clock);
+  PairTiming timing = time_in_turn({call(0), call(1)}, options, control, update, clock);
+  timing.equal_settings = request.settings[0] == request.settings[1] && request.channels[0] == request.channels[1];
+  return timing;
 }
 
 }  // namespace ps

@@ -28,8 +28,11 @@ struct PairTiming {
   std::array<Quartiles, 2> time_ms;
   Quartiles ratio;  ///< of the second picture's time to the first one's, round by round
   std::vector<PairStage> stages;
+  bool equal_settings = false;  ///< both pictures are the same, so that their times differ by noise alone
 
   int rounds() const { return static_cast<int>(samples_ms[1].size()); }
+  /// Do the rounds show which picture takes longer? Neither its times nor the ratio may be within noise.
+  bool shows_an_order() const;
 };
 
 struct PairTimingOptions {

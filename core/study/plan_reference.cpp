@@ -12,12 +12,15 @@
 namespace ps {
 namespace {
 
-constexpr int least_samples = 16, most_samples = 4096;
+constexpr int ordinary_samples = 64, fewest_averaged = 4, most_samples = 4096;
 /// Fragments are averaged over a larger picture, which has at most this many pixels: about 1.2 GB in double.
 constexpr double most_enlarged_pixels = 0x1p25;
 constexpr int most_enlarged_side = 16384;
+/// Rays of one picture: more samples than a study needs are taken up to this number, which takes some seconds.
+constexpr double most_rays = 3e7;
 /// Rays in double are scalar; beyond this many of them, float with SIMD takes their place.
 constexpr double most_double_rays = 0x1p24;
+constexpr int counted_part = 8, least_counted = 32;  ///< the small picture in which they are counted, of the sides
 
 using Texts = std::vector<std::string_view>;
 
@@ -45,6 +48,45 @@ std::string assignment_for(std::string_view text, Renderer renderer) {
   return fmt::format("{}={}", text.substr(0, text.find('=')), text.substr(bar + 1));
 }
 
+/// Can rays show what the settings ask for? Neither canvas items alone nor the rasterizer's outlines.
+bool shown_by_rays(const Settings& settings, const SceneTraits& traits) {
+  const bool only_canvas = traits.canvas_items && !traits.spheres && !traits.triangles && !traits.solids && !traits.csg;
+  const bool outlines = draws_fragments(settings.renderer) && settings.draw != Draw::filled;
+  return !only_canvas && !outlines;
+}
+
+double pixels_of(const View& view) { return static_cast<double>(view.width) * view.height; }
+
+/// Rays take the samples twice, at places of two patterns.
+int all_samples(const ReferencePlan& plan) {
+  return sends_rays(plan.settings.renderer) ? 2 * plan.samples : plan.samples;
+}
+
+/// Brings the rays of an average down to what a study can wait for; `rays` is the number of one sample.
+void limit_rays(ReferencePlan& plan, const View& view, double rays) {
+  const auto all = [&] { return rays * all_samples(plan) * pixels_of(view); };
+  while (plan.samples > plan.fewest_samples && all() > most_rays) plan.samples /= 4;
+  const bool precision_counts = std::any_of(plan.swept.begin(), plan.swept.end(),
+                                            [](const Option* option) { return option->key == "precision"; });
+  if (!precision_counts && all() > most_double_rays) plan.settings.precision = Precision::float32;
+}
+
+/// The rays that leave the eye, a surface or a light for one sample of a pixel, counted in a small picture.
+double rays_of_a_sample(const Settings& settings, const Scene& scene, const View& view, const RenderRequest& how,
+                        Prepared& prepared, Progress& progress) {
+  View small = view;
+  small.width = std::max(std::min(view.width, least_counted), view.width / counted_part);
+  small.height = std::max(std::min(view.height, least_counted), view.height / counted_part);
+  Settings quick = settings;
+  quick.precision = Precision::float32;
+  const Counters counters = render(scene, small, quick, how, prepared, progress).counters;
+  std::uint64_t rays = 0;
+  for (const Counter counter :
+       {Counter::eye_rays, Counter::shadow_rays, Counter::reflection_rays, Counter::refraction_rays})
+    rays += counters.get(counter).value_or(0);
+  return static_cast<double>(rays) / pixels_of(small);
+}
+
 /// What rays need to show no more than the fragments did.
 void trace_what_fragments_show(const Settings& fragments, Settings& rays) {
   const bool none = fragments.shadows == Shadows::traced || fragments.shadows == Shadows::none;
@@ -58,15 +100,18 @@ class Planner {
       : points_(points), traits_(traits) {
     plan_.settings = points.empty() ? base : points.front().value;
     for (const Option& option : option_table())
-      if (differs(option, points)) option.set(plan_.settings, option.get(base));
+      if (differs(option, points)) {
+        option.set(plan_.settings, option.get(base));
+        plan_.swept.push_back(&option);
+      }
   }
 
   ReferencePlan plan(const View& view, const ReferenceOptions& options) {
-    for (const Option& option : option_table())
-      if (differs(option, points_)) take(option);
+    for (const Option* option : plan_.swept) take(*option);
     be_robust();
+    // Lines and outlines cover no area whose mean could be taken.
+    average_ = average_ && shown_by_rays(plan_.settings, traits_);
     if (options.samples > 1 || (options.samples == 0 && average_)) take_average(view, options.samples);
-    describe();
     return std::move(plan_);
   }
 
@@ -87,7 +132,8 @@ class Planner {
         if (option.key != "renderer" && draws_fragments(before.renderer))
           trace_what_fragments_show(before, plan_.settings);
       }
-      if (std::find(exact_.begin(), exact_.end(), assignment) == exact_.end()) exact_.push_back(assignment);
+      std::vector<std::string>& exact = plan_.exact;
+      if (std::find(exact.begin(), exact.end(), assignment) == exact.end()) exact.push_back(assignment);
     }
   }
 
@@ -101,20 +147,20 @@ class Planner {
     int most = 1;
     for (const SweepPoint& point : points_)
       most = std::max({most, point.value.samples_per_pixel, point.value.multisampling});
-    int samples = least_samples;
-    while (samples < 4 * most && samples < most_samples) samples *= 4;
+    int fewest = fewest_averaged;
+    while (fewest < 4 * most && fewest < most_samples) fewest *= 4;
+    const int samples = std::max(fewest, ordinary_samples);
     Settings& s = plan_.settings;
     s.samples_per_pixel = 1;
     s.sample_pattern = SamplePattern::grid;
     s.adaptive_sampling = false;
     s.subsampling = 1;
     s.multisampling = 1;
-    const double pixels = static_cast<double>(view.width) * view.height;
+    const double pixels = pixels_of(view);
     if (sends_rays(s.renderer)) {
       plan_.samples = asked > 1 ? asked : samples;
-      const bool swept_precision = std::any_of(
-          exact_.begin(), exact_.end(), [](const std::string& assignment) { return assignment == "precision=double"; });
-      if (!swept_precision && 2 * plan_.samples * pixels > most_double_rays) s.precision = Precision::float32;
+      plan_.fewest_samples = asked > 1 ? asked : fewest;
+      limit_rays(plan_, view, 1);
     } else {
       // A texture's footprint is known to no sample: more of them are needed than for edges.
       int side = std::max(8, static_cast<int>(std::sqrt(samples)));
@@ -125,32 +171,33 @@ class Planner {
     }
   }
 
-  void describe() {
-    const Settings& s = plan_.settings;
-    plan_.description =
-        fmt::format("{} in {}, {}", option_label("renderer"), choice_key<&Settings::precision>(s.precision),
-                    plan_.samples > 1 ? fmt::format("the mean of {} samples over each pixel", all_samples())
-                                      : "sampled as the points are");
-    for (const std::string& assignment : exact_) plan_.description += ", " + assignment;
-  }
-
-  /// Rays take the samples twice, at places of two patterns.
-  int all_samples() const { return sends_rays(plan_.settings.renderer) ? 2 * plan_.samples : plan_.samples; }
-
-  std::string_view option_label(std::string_view key) const { return chosen(*find_option(key), plan_.settings).label; }
-
   std::span<const SweepPoint> points_;
   const SceneTraits& traits_;
   ReferencePlan plan_;
-  std::vector<std::string> exact_;
   bool average_ = false;
 };
 
 }  // namespace
 
+std::string ReferencePlan::description() const {
+  std::string text = fmt::format("{} in {}, {}", renderer_label(settings.renderer),
+                                 choice_key<&Settings::precision>(settings.precision),
+                                 samples > 1 ? fmt::format("the mean of {} samples over each pixel", all_samples(*this))
+                                             : "sampled as the points are");
+  for (const std::string& assignment : exact) text += ", " + assignment;
+  return text;
+}
+
 ReferencePlan plan_reference(std::span<const SweepPoint> points, const Settings& base, const SceneTraits& traits,
                              const View& view, const ReferenceOptions& options) {
   return Planner(points, base, traits).plan(view, options);
+}
+
+ReferencePlan affordable(ReferencePlan plan, const Scene& scene, const View& view, const RenderRequest& how,
+                         Prepared& prepared, Progress& progress) {
+  if (plan.samples > 1 && sends_rays(plan.settings.renderer))
+    limit_rays(plan, view, rays_of_a_sample(plan.settings, scene, view, how, prepared, progress));
+  return plan;
 }
 
 std::string truth_text(const Option& option) {
@@ -160,6 +207,8 @@ std::string truth_text(const Option& option) {
     break;
   case TruthKind::as_set:
     return "the picture with the value as set";
+  case TruthKind::other_picture:
+    return "none: each value shows another picture on purpose";
   case TruthKind::exact:
     return fmt::format("the picture with {}", exact);
   case TruthKind::pixel_average:

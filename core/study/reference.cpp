@@ -12,12 +12,9 @@
 #include "image/display.h"
 #include "image/file.h"
 #include "options/renderer_kind.h"
-#include "options/robust_rays.h"
 
 namespace ps {
 namespace {
-
-constexpr int least_bounces = 12;
 
 /// Two means over each pixel, of samples that have none in common.
 struct Halves {
@@ -43,12 +40,14 @@ Image<Vec3d> colours_of(const Frame& frame) {
 }
 
 /// All samples on a grid, and as many at Halton's places.
-Halves sampled_halves(const View& view, const ReferencePlan& plan, const Colours& colours) {
+Halves sampled_halves(const View& view, const ReferencePlan& plan, const Colours& colours, Progress& progress) {
+  progress.expect_parts(2);
   Settings settings = plan.settings;
   settings.samples_per_pixel = plan.samples;
   Halves halves;
   settings.sample_pattern = SamplePattern::grid;
   halves.first = colours(view, settings);
+  progress.next_part();
   settings.sample_pattern = SamplePattern::halton;
   halves.second = colours(view, settings);
   return halves;
@@ -122,27 +121,6 @@ Reference read_reference(const std::filesystem::path& file, const View& view) {
 
 }  // namespace
 
-bool shown_by_rays(const Settings& base, const SceneTraits& traits) {
-  const bool only_canvas = traits.canvas_items && !traits.spheres && !traits.triangles && !traits.solids && !traits.csg;
-  const bool outlines = draws_fragments(base.renderer) && base.draw != Draw::filled;
-  return !only_canvas && !outlines;
-}
-
-Settings reference_settings(const Settings& base, const SceneTraits& traits) {
-  Settings best = robust_rays(base);
-  best.renderer = renderer_for(shown_by_rays(base, traits) ? PictureWay::rays : PictureWay::fragments);
-  best.samples_per_pixel = 1;
-  best.multisampling = 1;
-  best.adaptive_sampling = false;
-  best.subsampling = 1;
-  best.self_hit = SelfHit::offset;
-  best.reflection_depth = std::max(base.reflection_depth, least_bounces);
-  best.reflection_cutoff = 0;
-  if (sends_rays(best.renderer) && base.shadows != Shadows::none) best.shadows = Shadows::traced;
-  best.colour_depth = ColourDepth::bits24;
-  return best;
-}
-
 Reference make_reference(const Scene& scene, const View& view, const ReferencePlan& plan,
                          const ReferenceOptions& options, const ErrorOptions& error, WorkerPriority priority,
                          Progress& progress) {
@@ -154,20 +132,21 @@ Reference make_reference(const Scene& scene, const View& view, const ReferencePl
   RenderRequest request;
   request.priority = priority;
   Reference reference;
-  reference.description = plan.description;
+  const ReferencePlan made = affordable(plan, scene, view, request, prepared, progress);
+  reference.description = made.description();
   const auto colours = [&](const View& seen, const Settings& settings) {
     return colours_of(render(scene, seen, settings, request, prepared, progress));
   };
   if (side == 1) {
-    reference.picture = measured(colours(view, plan.settings), plan.settings);
+    reference.picture = measured(colours(view, made.settings), made.settings);
     return reference;
   }
-  const bool rays = sends_rays(plan.settings.renderer);
+  const bool rays = sends_rays(made.settings.renderer);
   const Halves halves =
-      rays ? sampled_halves(view, plan, colours) : enlarged_halves(view, plan.settings, side, colours);
-  reference.picture = measured(halves.mean(), plan.settings);
+      rays ? sampled_halves(view, made, colours, progress) : enlarged_halves(view, made.settings, side, colours);
+  reference.picture = measured(halves.mean(), made.settings);
   reference.halves =
-      compare_pictures(measured(halves.first, plan.settings), measured(halves.second, plan.settings), error);
+      compare_pictures(measured(halves.first, made.settings), measured(halves.second, made.settings), error);
   return reference;
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "render/render.h"
 #include "study/metric.h"
@@ -20,7 +21,11 @@ struct ReferencePlan {
   Settings settings;
   /// 1: rendered with `settings` as they are, so at the same samples as the points. More: their mean over each pixel.
   int samples = 1;
-  std::string description;  ///< "ray tracer in double, sampled as the points are, self-hit=offset"
+  int fewest_samples = 1;            ///< that are enough for these points; below `samples` where more is only welcome
+  std::vector<const Option*> swept;  ///< the options that differ among the points
+  std::vector<std::string> exact;    ///< what these options ask for: "self-hit=offset"
+
+  std::string description() const;  ///< "ray tracer in double, sampled as the points are, self-hit=offset"
 };
 
 /// What pictures are compared with.
@@ -31,23 +36,21 @@ struct Reference {
   std::optional<Comparison> halves;
 };
 
-/// Can rays show what the settings ask for? Neither canvas items alone nor the rasterizer's outlines.
-bool shown_by_rays(const Settings& settings, const SceneTraits& traits);
-
-/// The settings of the best picture that can be had of what `base` asks for: the ray tracer in double with its robust
-/// tests and at least 12 bounces. What `base` says about the scene's look (lights on, textures, exposure) stays. Scenes
-/// that rays cannot show (canvas items alone, wireframes) keep the rasterizer.
-Settings reference_settings(const Settings& base, const SceneTraits& traits);
-
-/// The reference of a chart. What all points have in common it has as well (reflection depth, cut-offs, tessellation,
-/// filters, samples at the same places), in double with robust tests. Options that differ among the points take the
-/// exact settings of their row in the option table, or their value in `base`; where the truth of one is the average
-/// over the pixel, at least 16 samples and four times those of any point are averaged (at most 4096; for fragments as
-/// many as 2^25 pixels hold). `view` bounds the memory and the time that the samples may take.
+/// Decides the truth of every study that compares pictures with one: charts, the table of renderers, and what a scene
+/// needs. What all points have in common it has as well (reflection depth, cut-offs, tessellation, filters, samples at
+/// the same places), in double with robust tests. Options that differ among the points take the exact settings of
+/// their row in the option table, or their value in `base`. Where the truth of one is the average over the pixel, 64
+/// samples and at least four times those of any point are averaged (at most 4096; for fragments as many as 2^25 pixels
+/// hold); fewer, but never fewer than four times those of any point, where `view` makes them too many.
 ReferencePlan plan_reference(std::span<const SweepPoint> points, const Settings& base, const SceneTraits& traits,
                              const View& view, const ReferenceOptions& options);
 
-/// Renders the plan's picture, or reads options.file, which must have the view's size. Throws InputError.
+/// The plan with fewer samples, or in float, where its rays take too long. They are counted in a small picture, so the
+/// answer is the same on every machine. Throws Cancelled.
+ReferencePlan affordable(ReferencePlan plan, const Scene& scene, const View& view, const RenderRequest& how,
+                         Prepared& prepared, Progress& progress);
+
+/// Renders the picture of affordable(plan), or reads options.file, which must have the view's size. Throws InputError.
 Reference make_reference(const Scene& scene, const View& view, const ReferencePlan& plan,
                          const ReferenceOptions& options, const ErrorOptions& error, WorkerPriority priority,
                          Progress& progress);

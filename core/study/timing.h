@@ -14,6 +14,16 @@ inline double steady_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+/// Times whose medians are nearer to each other than this have no order that would be worth a sentence.
+inline constexpr double least_time_ratio = 1.1;
+
+/// Are two times equal, as far as their runs show? Their quartiles touch, or the medians are nearer to each other than
+/// least_time_ratio. The one rule by which charts, timings and needs order times.
+inline bool within_noise(const Quartiles& a, const Quartiles& b) {
+  const bool touch = a.q1 <= b.q3 && b.q1 <= a.q3;
+  return touch || std::max(a.median, b.median) < least_time_ratio * std::min(a.median, b.median);
+}
+
 /// Seconds that `calls` calls take.
 inline double seconds_of(const std::function<void()>& call, int calls, const Clock& clock) {
   const double start = clock();

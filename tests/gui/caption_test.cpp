@@ -158,9 +158,11 @@ TEST(TimedPictures, AreFoundWhenTheSamePictureComesBack) {
   EXPECT_EQ(timed.find(request), nullptr) << "long ago";
 }
 
+/// As if A had taken 100 ms in every round.
 PairTiming with_ratio(const Quartiles& ratio) {
   PairTiming timing;
   timing.ratio = ratio;
+  timing.time_ms = {Quartiles{100, 100, 100}, Quartiles{100 * ratio.q1, 100 * ratio.median, 100 * ratio.q3}};
   timing.samples_ms[1].assign(9, 1);
   return timing;
 }
@@ -169,8 +171,20 @@ TEST(Timings, RatioHasItsRangeAndNoMoreDigitsThanItIsWorth) {
   EXPECT_EQ(ratio_sentence(with_ratio({4.412, 4.634, 4.913})),
             "B takes 4.6 times as long as A (4.4 to 4.9; 9 rounds).");
   EXPECT_EQ(ratio_sentence(with_ratio({0.2, 0.25, 0.5})), "A takes 4 times as long as B (2 to 5; 9 rounds).");
+}
+
+TEST(Timings, NoOrderIsFoundWithinNoise) {
   EXPECT_EQ(ratio_sentence(with_ratio({0.97, 1.02, 1.06})),
-            "A and B take equally long, as far as 9 rounds show: B / A is 1 (0.97 to 1.1).");
+            "The times of A and B are equal within noise: B / A is 1 (0.97 to 1.1; 9 rounds).");
+  for (const Quartiles& ratio : {Quartiles{1.02, 1.04, 1.08}, Quartiles{1, 1.2, 1.3}, Quartiles{0.93, 0.95, 0.97}})
+    EXPECT_TRUE(ratio_sentence(with_ratio(ratio)).starts_with("The times of A and B are equal within noise"));
+  PairTiming drifting = with_ratio({1.3, 1.4, 1.5});
+  drifting.time_ms[0].q3 = drifting.time_ms[1].q1;
+  EXPECT_TRUE(ratio_sentence(drifting).starts_with("The times of A and B are equal within noise")) << "they touch";
+  PairTiming equal = with_ratio({1.1, 1.4, 1.8});
+  equal.equal_settings = true;
+  EXPECT_EQ(ratio_sentence(equal),
+            "The options of A and B are equal, and times differ by noise alone: B / A is 1.4 (1.1 to 1.8; 9 rounds).");
 }
 
 TEST(Timings, SmallNumbersOfDigits) {

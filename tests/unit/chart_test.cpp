@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <random>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -19,6 +20,7 @@
 #include "study/chart_conclusion.h"
 #include "study/chart_files.h"
 #include "study/chart_style.h"
+#include "support/environment.h"
 #include "support/run_cli.h"
 #include "support/trials.h"
 
@@ -110,8 +112,9 @@ TEST(Chart, TheReferenceTakesMoreSamplesThanAnyPoint) {
   };
   EXPECT_EQ(samples({}), 1) << "nothing estimates an average";
   EXPECT_EQ(samples({1}), 1);
-  EXPECT_EQ(samples({1, 4}), 16);
-  EXPECT_EQ(samples({5, 1}), 64);
+  EXPECT_EQ(samples({1, 4}), 64) << "as many as are cheap";
+  EXPECT_EQ(samples({1, 4}, 2000), 16) << "but no more than needed where they are not";
+  EXPECT_EQ(samples({5, 1}, 2000), 64);
   EXPECT_EQ(samples({1, 16, 4}), 64);
   EXPECT_EQ(samples({64, 1}, 600), 256);
   EXPECT_EQ(samples({4096, 1}, 600), 4096) << "no more than the option allows";
@@ -248,7 +251,7 @@ TEST(Chart, FilesHoldTheTableOfTheDesign) {
   const std::string csv = chart_csv(chart);
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
             "label,renderer,settings,time_ms,time_q1_ms,time_q3_ms,error,memory_mb,on_front,work,machinery,truth,"
-            "program,processor,simd,threads,base_settings,tie,upload_ms");
+            "program,processor,simd,threads,base_settings,tie,upload_ms,standing,left_out");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 7);
   const std::string svg = chart_svg(chart);
   std::size_t circles = 0;
@@ -284,6 +287,87 @@ const ChartPoint& point_of(const Chart& chart, const std::string& label) {
                                   [&](const ChartPoint& point) { return point.what.label == label; });
   if (found == chart.points.end()) throw InputError("no point " + label);
   return *found;
+}
+
+/// The mean of 16 x 16 samples for each pixel, from a picture that is so many times as wide and high.
+Image<Rgb8> averaged(const Scene& scene, const View& view, const Settings& settings) {
+  constexpr int side = 16;
+  View large = view;
+  large.width *= side;
+  large.height *= side;
+  const Frame frame = render(scene, large, settings);
+  Image<Vec3d> means(view.width, view.height);
+  for (int y = 0; y < large.height; ++y)
+    for (int x = 0; x < large.width; ++x)
+      means.at(x / side, y / side) += Vec3d(frame.colour.at(x, y)) / static_cast<double>(side * side);
+  return display_image(means, display_transform(settings));
+}
+
+// One sample of a ray tracer is no truth: on textures it is as far from the mean over a pixel as a rasterizer's, or
+// farther.
+TEST(Chart, RenderersAreHeldAgainstTheMeanOverThePixel) {
+  const unsigned seed = test::test_seed();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  ChartRequest request;
+  request.scene = load_scene("cgfs/crates");
+  const int width = test::side(90 + static_cast<int>(random() % 40));
+  request.view = {request.scene.camera, width, width};
+  request.base = settings_for(request.scene);
+  request.base.shadows = Shadows::none;
+  const SceneTraits traits = scene_traits(request.scene);
+  request.points = sweep_points(parse_sweep("renderers"), request.base, request.base, traits);
+  request.repeats = 1;
+  request.shortest_sample = 0;
+  StudyControl control;
+  const Chart chart = run_chart(request, control);
+  Settings rays = request.base;
+  rays.renderer = Renderer::ray_tracer;
+  const Image<Rgb8> truth = averaged(request.scene, request.view, rays);
+  ASSERT_TRUE(chart.reference_halves);
+  const double uncertain = chart.reference_halves->rmse / 2;
+  std::vector<double> errors, measured;
+  for (const ChartPoint& point : chart.points) {
+    errors.push_back(point.error);
+    measured.push_back(compare_images(truth, *point.picture).rmse);
+    EXPECT_NEAR(errors.back(), measured.back(), uncertain) << point.what.label << ", " << width << " px";
+    EXPECT_GT(point.error, 4) << "one sample for each pixel, on textures";
+    EXPECT_EQ(point.standing, Standing::compared);
+  }
+  for (const ChartClaim& claim : chart_conclusion(chart).claims)
+    if (claim.kind == ChartClaim::Kind::more_exact) {
+      EXPECT_LT(measured[static_cast<std::size_t>(claim.first)], measured[static_cast<std::size_t>(claim.second)]);
+    }
+}
+
+TEST(Chart, PointsThatLeaveSomethingOutSaySo) {
+  const Chart chart = swept_chart("cgfs/shadows", {"renderer=ray-tracer,rasterizer"});
+  EXPECT_TRUE(chart.points[0].left_out.empty());
+  ASSERT_EQ(chart.points[1].left_out, std::vector<std::string>{"leaves out shadows"});
+  EXPECT_EQ(mark_label(chart, chart.points[1], "rasterizer").find("rasterizer ("), 0u);
+  for (const std::string& text : {chart_conclusion(chart).sentence, chart_csv(chart), chart_json(chart),
+                                  chart_svg(chart), mark_label(chart, chart.points[1], "rasterizer")})
+    EXPECT_NE(text.find("leaves out shadows"), std::string::npos) << text;
+  const Chart shown = swept_chart("cgfs/shadows", {"renderer=ray-tracer,rasterizer"}, {"shadows=map"});
+  EXPECT_EQ(chart_conclusion(shown).sentence.find("leaves out"), std::string::npos);
+}
+
+TEST(Chart, TheTruthItselfHasNoErrorOfItsOwn) {
+  Chart chart = swept_chart("cgfs/reflections", {"reflection-depth=0,3,64"});
+  const ChartPoint& truth = chart.points[2];
+  EXPECT_EQ(truth.standing, Standing::truth);
+  chart.points[2].comparison.rmse = 0.32;  // as rounding to float may have it
+  summarise(chart, ErrorMetric::rmse);
+  EXPECT_EQ(truth.error, 0);
+  EXPECT_EQ(chart.points[1].standing, Standing::compared);
+  const auto json = nlohmann::json::parse(chart_json(chart)).at("points");
+  EXPECT_TRUE(json.at(2).at("error").is_null());
+  EXPECT_EQ(json.at(2).at("standing"), "truth");
+  EXPECT_TRUE(json.at(1).at("error").is_number());
+  EXPECT_NE(chart_svg(chart).find("64 (the truth)"), std::string::npos);
+  // Held against the mean over a pixel, every picture of one sample has an error.
+  const Chart tessellated = swept_chart("cgfs/spheres", {"tessellation=0.05,2"}, {"renderer=rasterizer"});
+  for (const ChartPoint& point : tessellated.points) EXPECT_EQ(point.standing, Standing::compared);
 }
 
 // What is not swept is the same in the reference: neither missing reflections nor anti-aliasing count as an error.
@@ -350,7 +434,7 @@ TEST(Chart, LabelsLieOverTheirRimsInAnyViewer) {
   const SweepNames names = chart_names(chart);
   for (std::size_t i = 0; i < chart.points.size(); ++i) {
     const ChartPoint& point = chart.points[i];
-    const std::string words = ">" + mark_label(point, names.parts[i]) + "</text>";
+    const std::string words = ">" + mark_label(chart, point, names.parts[i]) + "</text>";
     const std::size_t first = svg.find(words);
     if (first == std::string::npos) continue;
     ++shown;

@@ -20,7 +20,7 @@ Needs needs_of(const std::vector<double>& errors) {
     share.feature = features()[i];
     share.used = errors[i] >= 0 && errors[i] <= 1;
     share.absent = errors[i] < 0;
-    share.error_without = errors[i];
+    share.increase = errors[i];
     needs.shares.push_back(share);
   }
   return needs;

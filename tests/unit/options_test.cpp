@@ -196,8 +196,7 @@ TEST(OptionTable, EachDeclaresItsTruth) {
       rest.remove_prefix(std::min(one.size() + 1, rest.size()));
     }
   }
-  for (const char* key : {"samples-per-pixel", "sample-pattern", "adaptive-sampling", "subsampling", "multisampling",
-                          "texture-filter", "mip-bias", "anisotropy", "shadow-filter"})
+  for (const char* key : {"multisampling", "mip-bias", "anisotropy", "shadow-filter"})
     EXPECT_EQ(find_option(key)->truth.kind, TruthKind::pixel_average) << key;
 }
 

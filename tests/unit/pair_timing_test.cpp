@@ -109,6 +109,24 @@ TEST(PairTiming, ReportsEverySampleAndStopsWhenAsked) {
                Cancelled);
 }
 
+TEST(PairTiming, EqualSettingsHaveNoOrder) {
+  PairTimingRequest request;
+  request.scene = load_scene("cgfs/reflections");
+  request.view.width = request.view.height = 16;
+  StudyControl control;
+  const PairTiming same = time_pair(request, {.rounds = 3}, control);
+  EXPECT_TRUE(same.equal_settings);
+  EXPECT_FALSE(same.shows_an_order());
+  request.settings[1].reflection_depth = 0;
+  EXPECT_FALSE(time_pair(request, {.rounds = 3}, control).equal_settings);
+  Fake fake;
+  fake.seconds = {{{1}, {1.09}}};
+  EXPECT_FALSE(fake.run({.rounds = 3}).shows_an_order()) << "below a tenth";
+  fake = {};
+  fake.seconds = {{{1}, {1.2}}};
+  EXPECT_TRUE(fake.run({.rounds = 3}).shows_an_order());
+}
+
 TEST(PairTiming, TimesPicturesOfAScene) {
   PairTimingRequest request;
   request.scene = load_scene("cgfs/reflections");

@@ -2,28 +2,42 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "base/check.h"
 #include "frame/display_frame.h"
+#include "options/robust_rays.h"
 #include "options/scene_settings.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
+#include "study/standing.h"
 
 namespace reference_test {
 namespace {
 
 using namespace ps;
 
+/// The scene's settings with the rays that err least: what a sweep of any exact option asks for.
+Settings best_of(const Settings& base) {
+  Settings best = robust_rays(base);
+  best.self_hit = SelfHit::offset;
+  return best;
+}
+
 Reference reference_of(const Scene& scene, const View& view, const Settings& base, int samples) {
   Progress progress;
-  const ReferencePlan plan{reference_settings(base, scene_traits(scene)), samples, ""};
+  ReferencePlan plan;
+  plan.settings = best_of(base);
+  plan.samples = plan.fewest_samples = samples;
   return make_reference(scene, view, plan, {}, {}, WorkerPriority::normal, progress);
 }
 
 TEST(Reference, OneSampleIsThePlainPictureInDouble) {
   const Scene scene = load_scene("cgfs/reflections");
   const View view{scene.camera, 48, 36};
-  const Settings best = reference_settings(settings_for(scene), scene_traits(scene));
-  EXPECT_EQ(best.precision, Precision::float64);
+  const Settings best = best_of(settings_for(scene));
   const Reference reference = reference_of(scene, view, settings_for(scene), 1);
   EXPECT_EQ(reference.picture.levels, display_frame(render(scene, view, best), best));
   EXPECT_FALSE(reference.halves.has_value());
@@ -97,13 +111,13 @@ TEST(ReferencePlan, KeepsWhatIsNotSwept) {
   expected.self_hit = SelfHit::offset;
   expected.sphere_test = SphereTest::robust;
   EXPECT_EQ(guard.settings, expected);
-  EXPECT_NE(guard.description.find("self-hit=offset"), std::string::npos) << guard.description;
+  EXPECT_NE(guard.description().find("self-hit=offset"), std::string::npos) << guard.description();
   const ReferencePlan depth = plan_reference(points_of({"reflection-depth=0,3"}, base, traits), base, traits, view, {});
   EXPECT_EQ(depth.settings.reflection_depth, 64);
   EXPECT_EQ(depth.settings.self_hit, SelfHit::epsilon);
   const ReferencePlan sampled =
-      plan_reference(points_of({"samples-per-pixel=1,16"}, base, traits), base, traits, view, {});
-  EXPECT_EQ(sampled.samples, 64);
+      plan_reference(points_of({"samples-per-pixel=1,64"}, base, traits), base, traits, view, {});
+  EXPECT_EQ(sampled.samples, 256);
   EXPECT_EQ(sampled.settings.reflection_depth, 2);
   const ReferencePlan asked = plan_reference(points_of({"self-hit"}, base, traits), base, traits, view, {{}, 9});
   EXPECT_EQ(asked.samples, 9);
@@ -123,6 +137,120 @@ TEST(ReferencePlan, TakesTheExactChoiceOfEachRenderer) {
   const ReferencePlan both =
       plan_reference(points_of({"renderer=ray-tracer,rasterizer"}, base, traits), base, traits, view, {});
   EXPECT_EQ(both.settings.renderer, Renderer::ray_tracer);
+}
+
+/// Where the option acts, in one of these, its values can be compared.
+const std::vector<Settings>& contexts() {
+  static const std::vector<Settings> all = [] {
+    std::vector<Settings> settings(3);
+    settings[1].renderer = Renderer::rasterizer;
+    settings[2].renderer = Renderer::textbook;
+    return settings;
+  }();
+  return all;
+}
+
+SceneTraits scene_of_everything() {
+  SceneTraits traits = scene_traits(load_scene("cgfs/crates"));
+  traits.spheres = traits.triangles = traits.reflective = traits.transparent = true;
+  return traits;
+}
+
+std::vector<std::string> exact_settings(const Option& option) {
+  std::vector<std::string> all;
+  for (std::string_view rest = option.truth.exact; !rest.empty();) {
+    const std::size_t end = std::min(rest.find(';'), rest.size());
+    all.emplace_back(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return all;
+}
+
+// Every option of the table: what its row asks for is in the truth, and what the average over a pixel decides is held
+// against that average. A value with the truth's settings has no error of its own.
+TEST(ReferencePlan, IsWhatTheRowOfEachOptionAsksFor) {
+  const SceneTraits traits = scene_of_everything();
+  const View view{Camera{}, 64, 48};
+  for (const Option& option : option_table())
+    for (const Settings& base : contexts()) {
+      SCOPED_TRACE(fmt::format("{} of {}", option.key, renderer_label(base.renderer)));
+      const auto points = points_of({std::string(option.key)}, base, traits);
+      if (points.size() < 2) continue;
+      const ReferencePlan plan = plan_reference(points, base, traits, view, {});
+      EXPECT_EQ(plan.samples > 1, option.truth.kind == TruthKind::pixel_average);
+      if (option.truth.exact.empty()) {
+        EXPECT_EQ(option.get(plan.settings), option.get(base));
+      }
+      for (const std::string& exact : exact_settings(option)) {
+        Settings expected = plan.settings;
+        if (exact.find('|') == std::string::npos) parse_assignment(exact, expected);
+        EXPECT_EQ(plan.settings, expected) << exact;
+      }
+      const std::vector<Standing> standing = standings(points, plan, traits);
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        if (standing[i] == Standing::truth) {
+          EXPECT_EQ(option.get(points[i].value), option.get(plan.settings));
+          EXPECT_EQ(plan.samples, 1);
+        }
+        const bool own = option.truth.kind == TruthKind::exact &&
+                         option.truth.exact == fmt::format("{}={}", option.key, option_text(option, points[i].value));
+        if (own && !draws_fragments(base.renderer)) {
+          EXPECT_EQ(standing[i], Standing::truth) << points[i].label;
+        }
+      }
+      if (option.truth.kind == TruthKind::other_picture && !inactive_reason(option, base, traits)) {
+        EXPECT_EQ(std::count(standing.begin(), standing.end(), Standing::compared), 0);
+      }
+    }
+}
+
+// Renderers, textures, tessellation and sampling: one sample of any of them is not the truth for the others.
+TEST(ReferencePlan, WhatFewSamplesDoNotDecideIsAveraged) {
+  const std::string_view sampling = find_option("samples-per-pixel")->group;
+  for (const Option& option : option_table()) {
+    const std::string exact(option.truth.exact);
+    const bool compares_renderers = exact.find("renderer=") != std::string::npos;
+    const bool compares_textures = exact.find("texture-filter=") != std::string::npos || option.key == "textures";
+    const bool tessellates = exact.find("tessellation=") != std::string::npos;
+    if (compares_renderers || compares_textures || tessellates || option.group == sampling) {
+      EXPECT_EQ(option.truth.kind, TruthKind::pixel_average) << option.key;
+    }
+  }
+}
+
+// Two mirrors that face each other: each sample is as many rays as it has bounces, so fewer samples are taken.
+TEST(ReferencePlan, ManyRaysForASampleLeaveFewerSamples) {
+  const Scene mirrors = load_scene("cgfs/mirrors"), plain = load_scene("cgfs/spheres");
+  const View view{mirrors.camera, 320, 240};
+  const auto samples = [&](const Scene& scene, int depth) {
+    Settings base = settings_for(scene);
+    base.reflection_depth = depth;
+    const SceneTraits traits = scene_traits(scene);
+    const auto points = points_of({"renderer=ray-tracer,rasterizer"}, base, traits);
+    Prepared prepared;
+    Progress progress;
+    const ReferencePlan plan = plan_reference(points, base, traits, view, {});
+    EXPECT_EQ(plan.samples, 64) << "as far as the size alone shows";
+    return affordable(plan, scene, view, {}, prepared, progress).samples;
+  };
+  EXPECT_EQ(samples(plain, 3), 64);
+  EXPECT_LT(samples(mirrors, 64), 64);
+  EXPECT_GE(samples(mirrors, 64), 4);
+}
+
+TEST(Progress, PartsComeOneAfterTheOther) {
+  Progress progress;
+  progress.expect_parts(2);
+  progress.expect(10);
+  EXPECT_EQ(progress.fraction(), 0);
+  progress.advance(5);
+  EXPECT_EQ(progress.fraction(), 0.25);
+  progress.advance(5);
+  progress.next_part();
+  EXPECT_EQ(progress.fraction(), 0.5) << "not back to the beginning";
+  progress.expect(4);
+  progress.advance(4);
+  EXPECT_EQ(progress.fraction(), 1);
 }
 
 // A sweep without values must not ask for more than a machine has.

@@ -116,11 +116,12 @@ void fill_mark(ImDrawList& list, Renderer renderer, ImVec2 at, float r, ImU32 fi
 
 void draw_mark(ImDrawList& list, const Mark& mark, const ChartPoint& point, bool strong) {
   const ImU32 own = colour_of(mark_colour(point.what.value));
-  const ImU32 fill = point.tie ? colour_u32(palette().field) : own;
-  const ImU32 edge =
-      point.tie && !strong ? own : colour_u32(point.on_front || strong ? palette().text : palette().field);
+  const bool hollow = point.tie || !point.ranked();
+  const ImU32 fill = hollow ? colour_u32(palette().field) : own;
+  const ImU32 edge = hollow && !strong ? own : colour_u32(point.on_front || strong ? palette().text : palette().field);
   const float r = mark.radius, width = px(strong ? 2.5 : 1.5);
   const ImVec2 low{mark.at.x - r, mark.at.y - r}, high{mark.at.x + r, mark.at.y + r};
+  if (point.standing == Standing::truth) list.AddCircle(mark.at, r + px(truth_ring_gap), own, 28, px(1.5));
   fill_mark(list, point.what.value.renderer, mark.at, r, fill);
   switch (mark_shape(point.what.value.renderer)) {
   case MarkShape::circle:
@@ -151,7 +152,9 @@ void draw_labels(ImDrawList& list, const Chart& chart, const PlotFrame& frame, c
                  const ChartMarks& shown, ChartLabels& labels) {
   ImFont* font = theme().font(Face::small);
   const SweepNames names = chart_names(chart);
-  const auto text_of = [&](const Mark& mark) { return mark_label(chart.points[mark.point], names.parts[mark.point]); };
+  const auto text_of = [&](const Mark& mark) {
+    return mark_label(chart, chart.points[mark.point], names.parts[mark.point]);
+  };
   const auto inside = [&](ImVec2 p) { return Vec2d(p.x - frame.inner.min.x, p.y - frame.inner.min.y); };
   std::string key = fmt::format("{} {} {}", frame.inner.width(), frame.inner.height(), static_cast<int>(chart.metric)) +
                     std::string(chart_across_key(chart.across));

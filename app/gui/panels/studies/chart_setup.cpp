@@ -73,7 +73,7 @@ void update_plan(ChartPlan& plan, const ChartSetup& setup, const Session& sessio
     plan.points = sweep_points(setup.axes, base, settings_for(session.document().base), session.traits());
     const ReferenceOptions reference{setup.reference_file, setup.reference_samples};
     plan.truth = setup.reference_file.empty()
-                     ? plan_reference(plan.points, base, session.traits(), session.view(), reference).description
+                     ? plan_reference(plan.points, base, session.traits(), session.view(), reference).description()
                      : "the picture " + setup.reference_file;
     plan.notes = idle_axes(setup.axes, base, session.traits());
     plan.absent = absent_renderers(setup.axes);

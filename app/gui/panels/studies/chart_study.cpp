@@ -12,6 +12,8 @@ ChartPoint light(const ChartPoint& point) {
   ChartPoint copy;
   copy.number = point.number;
   copy.what = point.what;
+  copy.standing = point.standing;
+  copy.left_out = point.left_out;
   copy.samples_ms = point.samples_ms;
   copy.uploads_ms = point.uploads_ms;
   copy.time_ms = point.time_ms;

@@ -216,12 +216,6 @@ std::string state_line(const ChartTabState& state) {
   const std::string swept = chart_names(state.chart).common;
   std::string text = fmt::format("{}{}{}, {} x {}. {}", swept, swept.empty() ? "" : ". ", id.scene, id.width, id.height,
                                  settings_in_words(chart_provenance(state.chart)));
-  if (state.chart.reference_halves) {
-    Reference reference;
-    reference.halves = state.chart.reference_halves;
-    if (const auto noise = reference_noise(reference, state.metric); noise && std::isfinite(*noise))
-      text += fmt::format(" The reference itself is uncertain by {:.2g}.", *noise);
-  }
   if (id.region != "all") text += fmt::format(" Only the rectangle {}.", id.region);
   if (id.values == "linear") text += " Linear values.";
   return text;
@@ -408,6 +402,8 @@ std::optional<std::string> point_value(const Chart& chart, std::string_view name
     if (what == "work") return work_text(point.work);
     if (what == "on-front") return script_text(point.on_front);
     if (what == "tie") return script_text(point.tie);
+    if (what == "standing") return std::string(standing_key(point.standing));
+    if (what == "left-out") return fmt::format("{}", fmt::join(point.left_out, "; "));
     if (what == "runs") return script_text(static_cast<int>(point.samples_ms.size()));
   }
   return {};

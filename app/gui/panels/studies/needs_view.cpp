@@ -4,7 +4,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "gui/panels/pictures/picture_text.h"
@@ -19,7 +18,6 @@ namespace {
 
 constexpr double number_width = 62, least_bar = 30;           // pixels at scale 1
 constexpr double thumbnail_height = 64, large_picture = 300;  // pixels at scale 1
-constexpr double least_shown = 0.03;  // share of a time; less is noise whatever the quartiles say
 
 /// A number with a bar of that share of the cell, and a line at `limit` if there is one.
 void bar_cell(std::string_view name, double share, const std::string& text, std::optional<double> limit = {}) {
@@ -70,7 +68,7 @@ std::string changes_text(const Settings& from, const Settings& to) {
 
 /// A fraction of the time, or "within noise".
 void time_cell(const FeatureShare& share) {
-  if (needs_time_shown(share)) return bar_cell("time", share.cost_share, percent(share.cost_share));
+  if (share.cost_differs) return bar_cell("time", share.cost_share, percent(share.cost_share));
   const std::string text = "within noise";
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
@@ -118,7 +116,7 @@ std::string time_sentence(const Needs& needs) {
   const double saved = needs.default_time_ms > 0 ? 1 - needs.time_ms / needs.default_time_ms : 0;
   const std::string times =
       fmt::format("{} ms instead of {} ms", short_number(needs.time_ms), short_number(needs.default_time_ms));
-  if (!needs.time_differs || std::abs(saved) < least_shown)
+  if (!needs.time_differs)
     return fmt::format("{}the time is the same within noise: {}.", less_work ? "Less work, but here " : "Here ", times);
   if (saved > 0) return fmt::format("Here the time is less, too: {}.", times);
   return fmt::format("{}: {}.",
@@ -129,16 +127,12 @@ std::string time_sentence(const Needs& needs) {
 
 }  // namespace
 
-bool needs_time_shown(const FeatureShare& share) {
-  return share.cost_differs && std::abs(share.cost_share) >= least_shown;
-}
-
 NeedsAdvice needs_advice(const Needs& needs, const Settings& base) {
   NeedsAdvice words;
   words.changes = changes_text(base, needs.advice);
   words.words = settings_in_words(words.changes);
   if (words.changes.empty()) {
-    words.verdict = "The scene needs all its settings: none can be made cheaper within the tolerance.";
+    words.verdict = keep_sentence();
     return words;
   }
   const double work = needs.default_work > 0
@@ -146,13 +140,10 @@ NeedsAdvice needs_advice(const Needs& needs, const Settings& base) {
                           : 0;
   if (needs.within_tolerance)
     words.verdict = fmt::format(
-        "{:.0f} % of the counted work can be saved; the worst tile then differs by a FLIP of {} (allowed: {}, {}).",
-        work, short_number(needs.error), short_number(needs.tolerance), tolerance_words(needs.tolerance));
+        "{:.0f} % of the counted work can be saved. That adds a FLIP of {} to the worst tile (allowed: {}, {}).", work,
+        short_number(needs.increase), short_number(needs.tolerance), tolerance_words(needs.tolerance));
   else
-    words.verdict = fmt::format("The current settings are not enough: the worst tile differs by {} from the reference. "
-                                "The cheapest settings within {} differ by {}{}.",
-                                short_number(needs.default_error), short_number(needs.tolerance),
-                                short_number(needs.error), work > 0.5 ? ", with less work" : "");
+    words.verdict = not_enough_sentence(needs);
   words.saving = fmt::format("Work is counted and the same on every computer: {} instead of {} rays, tests, fragments "
                              "and reads of textures and maps.",
                              count_text(needs.work), count_text(needs.default_work));
@@ -165,7 +156,7 @@ void needs_shares(const Needs& needs, bool timed, NeedsThumbnails& thumbnails) {
   double largest = needs.tolerance * 1.5;
   bool any = false;
   for (const FeatureShare& share : needs.shares) {
-    largest = std::max(largest, share.error_without);
+    largest = std::max(largest, share.increase);
     any = any || share.used;
   }
   ImGui::Spacing();
@@ -178,21 +169,21 @@ void needs_shares(const Needs& needs, bool timed, NeedsThumbnails& thumbnails) {
     ImGui::TableNextRow();
     column_heading("Picture", "The picture without the feature.");
     column_heading("Without", "The feature that is switched off.");
-    column_heading("Picture changes by, FLIP of the worst tile",
-                   "Mean FLIP of the worst tile against the reference. The line marks the tolerance.");
+    column_heading("Error grows by, FLIP of the worst tile",
+                   "How much the mean FLIP of a tile against the truth grows, where it grows most. The line marks the "
+                   "tolerance.");
     column_heading("Work saved", "Fraction of the rays, intersection tests, fragments and texel reads.");
     if (timed)
       column_heading(
           "Time saved",
           "Fraction of the time of one picture on this computer. Below 0: the picture takes longer without it. Within "
-          "noise: the interquartile ranges of the runs overlap, or the times differ by less than 3 %.");
+          "noise: the interquartile ranges of the runs overlap, or the times differ by less than 10 %.");
     if (needs.picture) {
       ImGui::TableNextRow();
       thumbnail_cell(thumbnails, "", needs.picture);
       name_cell("nothing: as it is");
       ImGui::TableNextColumn();
-      bar_cell("as-it-is", needs.default_error / largest, fmt::format("{:.3f}", needs.default_error),
-               needs.tolerance / largest);
+      bar_cell("as-it-is", 0, "0", needs.tolerance / largest);
     }
     for (const FeatureShare& share : needs.shares) {
       if (!share.used) continue;
@@ -201,8 +192,7 @@ void needs_shares(const Needs& needs, bool timed, NeedsThumbnails& thumbnails) {
       thumbnail_cell(thumbnails, share.feature.name, share.picture);
       name_cell(share.feature.label);
       ImGui::TableNextColumn();
-      bar_cell("picture", share.error_without / largest, fmt::format("{:.3f}", share.error_without),
-               needs.tolerance / largest);
+      bar_cell("picture", share.increase / largest, fmt::format("{:.3f}", share.increase), needs.tolerance / largest);
       ImGui::TableNextColumn();
       bar_cell("work", share.work_share, percent(share.work_share));
       if (!timed) continue;
@@ -211,6 +201,7 @@ void needs_shares(const Needs& needs, bool timed, NeedsThumbnails& thumbnails) {
     }
     ImGui::EndTable();
   }
+  quiet_text(settings_in_words(truth_sentence(needs)));
   free_features(needs);
 }
 
@@ -225,7 +216,7 @@ void needs_trail(const Needs& needs) {
   ImGui::TableNextRow();
   column_heading("", "");
   column_heading("Tried", "Changes one setting at a time and takes the cheapest one within the tolerance.");
-  column_heading("Error", "Mean FLIP of the worst tile against the reference.");
+  column_heading("Error", "How much the mean FLIP of a tile grows, where it grows most.");
   column_heading("Work", "Rays, intersection tests, fragments and texel reads.");
   for (std::size_t i = 0; i < needs.trail.size(); ++i) {
     const NeedsStep& step = needs.trail[i];
@@ -237,7 +228,7 @@ void needs_trail(const Needs& needs) {
     controls().record(fmt::format("trail/{}", i), step.change);
     tooltip(step.change);
     ImGui::TableNextColumn();
-    number_text(fmt::format("{:.3f}", step.error), 0, full_number(step.error));
+    number_text(fmt::format("{:.3f}", step.increase), 0, full_number(step.increase));
     ImGui::TableNextColumn();
     number_text(count_text(step.work), 0, full_number(static_cast<double>(step.work)));
   }

@@ -18,9 +18,6 @@ struct NeedsAdvice {
 };
 NeedsAdvice needs_advice(const Needs& needs, const Settings& base);
 
-/// Whether the fraction of the time is larger than noise.
-bool needs_time_shown(const FeatureShare& share);
-
 /// Small pictures as the graphics card has them, by the name of the feature that they lack; "" = with all of them.
 struct NeedsThumbnails {
   struct One {

@@ -32,7 +32,7 @@ void update_timings(Session& session, TimingsState& state);
 /// What scripts may ask for.
 void offer_timings_values(Values& out, const TimingsState& state);
 
-/// "B takes 4.6 times as long as A (4.4 to 4.9; 9 rounds)."
+/// "B takes 4.6 times as long as A (4.4 to 4.9; 9 rounds).", or that there is no order within noise.
 std::string ratio_sentence(const PairTiming& timing);
 
 }  // namespace ps::gui

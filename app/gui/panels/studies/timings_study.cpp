@@ -27,9 +27,11 @@ void offer_timings_values(Values& out, const TimingsState& state) {
 
 std::string ratio_sentence(const PairTiming& timing) {
   const Quartiles& ratio = timing.ratio;
-  if (ratio.q1 <= 1 && ratio.q3 >= 1)
-    return fmt::format("A and B take equally long, as far as {} rounds show: B / A is {:.2g} ({:.2g} to {:.2g}).",
-                       timing.rounds(), ratio.median, ratio.q1, ratio.q3);
+  if (!timing.shows_an_order())
+    return fmt::format("{}: B / A is {:.2g} ({:.2g} to {:.2g}; {} rounds).",
+                       timing.equal_settings ? "The options of A and B are equal, and times differ by noise alone"
+                                             : "The times of A and B are equal within noise",
+                       ratio.median, ratio.q1, ratio.q3, timing.rounds());
   const bool b_longer = ratio.median > 1;
   const double factor = b_longer ? ratio.median : 1 / ratio.median, low = b_longer ? ratio.q1 : 1 / ratio.q3,
                high = b_longer ? ratio.q3 : 1 / ratio.q1;
