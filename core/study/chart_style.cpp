@@ -28,6 +28,11 @@ ChartAxes chart_axes(const Chart& chart) {
   axes.error = fit_axis(errors, row.logarithmic ? AxisScale::logarithmic : AxisScale::linear);
   axes.error_title = std::string(row.label);
   if (row.in_levels) axes.error_title += chart.identity.values == "linear" ? " (unit floats)" : " (levels of 255)";
+  const bool none_is_better = !errors.empty() && std::none_of(chart.points.begin(), chart.points.end(),
+                                                              [](const ChartPoint& point) { return point.ranked(); });
+  axes.error_sense = none_is_better         ? " from the picture as set"
+                     : row.higher_is_better ? ", higher is better"
+                                            : ", lower is better";
   return axes;
 }
 

@@ -14,6 +14,7 @@ struct ChartAxes {
   std::string cost_title;   ///< "time of one picture (ms)"
   std::string cost_spread;  ///< ", median and quartiles"; empty for work
   std::string error_title;  ///< "RMSE (levels of 255)"
+  std::string error_sense;  ///< ", lower is better"; of pictures that differ on purpose, what they differ from
 };
 /// Axes that hold all measured points. PSNR and SSIM grow upwards as they are: better is then up, not down.
 ChartAxes chart_axes(const Chart& chart);

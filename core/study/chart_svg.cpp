@@ -52,7 +52,7 @@ std::string line(Vec2d a, Vec2d b, std::string_view colour, double width, std::s
       b.x, b.y, colour, width, more);
 }
 
-std::string draw_axes(const ChartAxes& axes, ErrorMetric metric) {
+std::string draw_axes(const ChartAxes& axes) {
   std::string svg;
   const double bottom = plot_corner.y + plot_size.y, right = plot_corner.x + plot_size.x;
   const auto shade = [](const Tick& tick) { return tick.text.empty() ? "#efefef" : "#d4d4d4"; };
@@ -75,10 +75,9 @@ std::string draw_axes(const ChartAxes& axes, ErrorMetric metric) {
   }
   svg += text_at(plot_corner.x + plot_size.x / 2, bottom + 44, "middle",
                  fmt::format("{}{}; left is cheaper", axes.cost_title, axes.cost_spread), axis_size);
-  const bool up = error_metric(metric).higher_is_better;
   svg += fmt::format("<text transform=\"translate(24 {:.0f}) rotate(-90)\" text-anchor=\"middle\" "
-                     "font-size=\"{}\">{}; {} is better</text>\n",
-                     plot_corner.y + plot_size.y / 2, axis_size, xml_escaped(axes.error_title), up ? "up" : "down");
+                     "font-size=\"{}\">{}</text>\n",
+                     plot_corner.y + plot_size.y / 2, axis_size, xml_escaped(axes.error_title + axes.error_sense));
   return svg;
 }
 
@@ -292,7 +291,7 @@ std::string chart_svg(const Chart& chart) {
   double largest_memory = 0;
   for (const ChartPoint& point : chart.points) largest_memory = std::max(largest_memory, point.memory_mb);
   svg += legend(chart, largest_memory);
-  svg += draw_axes(axes, chart.metric);
+  svg += draw_axes(axes);
   svg += uncertain_band(chart, axes);
   svg += front_line(chart, axes);
   for (const ChartPoint& point : chart.points)

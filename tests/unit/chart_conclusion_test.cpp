@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "study/chart_front.h"
+#include "study/chart_style.h"
 
 namespace chart_conclusion_test {
 namespace {
@@ -148,6 +149,7 @@ TEST(ChartConclusion, WhatShowsAnotherPictureOnPurposeHasNoOrder) {
   EXPECT_EQ(chart_conclusion(gamma).sentence,
             "Gamma: each value shows another picture on purpose, so none is more exact than another.");
   for (const ChartPoint& point : gamma.points) EXPECT_FALSE(point.on_front || point.tie);
+  EXPECT_EQ(chart_axes(gamma).error_sense, " from the picture as set");
   EXPECT_EQ(
       sentence({{"flat", {10, 10, 10}, 5}, {"phong", {20, 20, 20}, 1}, {"wireframe", {5, 5, 5}, 80, other}}),
       "From flat to phong, the RMSE falls from 5 to 1 levels of 255 for 2 times the time. Wireframe shows another "

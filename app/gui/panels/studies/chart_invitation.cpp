@@ -33,8 +33,7 @@ Area draw_axes(ImDrawList& list, const ChartTabState& state, const Area& area) {
   list.AddLine(origin, top, ink, px(1.5));
   list.AddTriangleFilled({right.x - tip, right.y - tip}, {right.x + tip, right.y}, {right.x - tip, right.y + tip}, ink);
   list.AddTriangleFilled({top.x - tip, top.y + tip}, {top.x, top.y - tip}, {top.x + tip, top.y + tip}, ink);
-  draw_text(area.min, {area.max.x, area.min.y + line},
-            axes.error_title + (up ? ", higher is better" : ", lower is better"), palette().text_quiet, 0);
+  draw_text(area.min, {area.max.x, area.min.y + line}, axes.error_title + axes.error_sense, palette().text_quiet, 0);
   draw_text({inner.min.x, inner.max.y + px(6)}, area.max, axes.cost_title, palette().text_quiet, 0.5f);
   const float best = up ? inner.min.y + px(8) : inner.max.y - line - px(8);
   draw_text({inner.min.x + px(8), best}, {inner.max.x, best + line},

@@ -223,10 +223,8 @@ std::optional<std::size_t> nearest(const std::vector<Mark>& marks, ImVec2 mouse)
 std::optional<std::size_t> draw_chart(ImDrawList& list, const Area& area, const Chart& chart, ChartLabels& labels,
                                       const ChartMarks& shown, ImVec2 mouse) {
   const ChartAxes axes = chart_axes(chart);
-  const bool up = error_metric(chart.metric).higher_is_better;
   const PlotFrame frame =
-      draw_plot_frame(list, area, axes.cost, axes.error,
-                      {axes.cost_title, axes.error_title + (up ? ", higher is better" : ", lower is better")});
+      draw_plot_frame(list, area, axes.cost, axes.error, {axes.cost_title, axes.error_title + axes.error_sense});
   list.PushClipRect(area.min, area.max, true);
   const std::vector<Mark> marks = place_marks(chart, frame);
   const auto hovered = nearest(marks, mouse);
