@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "base/stop.h"
+#include "math/unit.h"
 
 namespace ps {
 namespace {
@@ -50,7 +51,7 @@ class SphereTreeBuilder {
     for (std::uint32_t i = begin; i < end; ++i) {
       const BoundedPrimitive& primitive = primitives_[spheres_.order[i]];
       const Vec3d away = primitive.centre - node.centre;
-      node.radius = std::max(node.radius, std::sqrt(dot(away, away)) + primitive.radius);
+      node.radius = std::max(node.radius, length_of(away) + primitive.radius);
     }
     node.radius *= 1 + 1e-14;  // the rounding of the above
     return node;
@@ -92,7 +93,7 @@ class SphereTreeBuilder {
   /// The smallest sphere around two.
   static SphereNode around_two(const SphereNode& a, const SphereNode& b) {
     const Vec3d apart = b.centre - a.centre;
-    const double distance = std::sqrt(dot(apart, apart));
+    const double distance = length_of(apart);
     if (a.radius >= distance + b.radius) return a;
     if (b.radius >= distance + a.radius) return b;
     SphereNode node;

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::uint32_t chunk_size = 1u << 15;    // primitives that one step of a parallel pass takes
 constexpr std::uint32_t subtree_size = 1u << 15;  // up to this many are one worker's job
+constexpr int most_shared_levels = 32;            // deeper ranges are one worker's job, too: it keeps to the depth
 
 /// A range of references that will become a node.
 template <class Real>
@@ -90,6 +91,10 @@ class BvhBuilder {
     return root;
   }
 
+  static bool is_one_job(const Range<Real>& range) {
+    return range.count() <= subtree_size || range.depth >= most_shared_levels;
+  }
+
   /// Splits every range with the help of all threads, moving its references from one array to the other. Returns the
   /// children that are still large; the rest wait in subtrees_. Nothing depends on the number of threads: unions and
   /// counts come out the same in any grouping, and the two sides keep their order.
@@ -97,7 +102,7 @@ class BvhBuilder {
     std::vector<Range<Real>> large;
     std::vector<Chunk<Real>> chunks;
     for (std::size_t i = 0; i < ranges.size(); ++i) {
-      if (ranges[i].count() <= subtree_size) {
+      if (is_one_job(ranges[i])) {
         subtrees_.push_back({ranges[i], side, {}});
         continue;
       }
@@ -125,7 +130,7 @@ class BvhBuilder {
       }
     });
     for (std::size_t i = 0, c = 0; i < ranges.size(); ++i) {
-      if (ranges[i].count() <= subtree_size) continue;
+      if (is_one_job(ranges[i])) continue;
       std::array<Extent<Real>, 2> centroids;
       for (; c < chunks.size() && chunks[c].range == i; ++c)
         for (std::size_t k = 0; k < 2; ++k) centroids[k].include(chunks[c].centroids[k]);

@@ -14,7 +14,7 @@ WideNode empty_wide_node() {
     for (int slot = 0; slot < wide_width; ++slot)
       node.planes[plane][slot] =
           plane % 2 == 0 ? std::numeric_limits<float>::infinity() : -std::numeric_limits<float>::infinity();
-  std::fill(std::begin(node.child), std::end(node.child), 0u);
+  std::fill(std::begin(node.child), std::end(node.child), wide_leaf(wide_empty_block, 1));
   std::fill(std::begin(node.order), std::end(node.order), 0u);
   return node;
 }
@@ -102,7 +102,7 @@ std::vector<WideCost> wide_costs(const Bvh<float>& bvh) {
 /// Nodes of a subtree, which refer to each other and to `blocks` as if nothing came before them.
 struct WidePart {
   std::vector<WideNode> nodes;
-  std::vector<BlockRange> blocks;
+  std::vector<BlockRange> blocks{BlockRange{}};  ///< the first is empty: wide_empty_block
 };
 
 /// A child that somebody else is to fill: place `slot` of node `node`.

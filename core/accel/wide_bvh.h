@@ -28,6 +28,10 @@ inline WideChild wide_leaf(std::uint32_t first, std::uint32_t count) {
   return wide_leaf_flag | ((count - 1) << wide_count_shift) | first;
 }
 
+/// Block 0 of every tree has no triangles. Places without a child lead there: a ray of hostile numbers may enter
+/// them, finds nothing, and goes no deeper.
+inline constexpr std::uint32_t wide_empty_block = 0;
+
 /// Up to eight children whose boxes are tested by the same instructions. Places without a child hold an empty box.
 struct alignas(64) WideNode {
   /// Planes of the children's boxes: low x, high x, low y, high y, low z, high z.

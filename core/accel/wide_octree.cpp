@@ -15,6 +15,7 @@ class OctreeWidener {
 
   WideBvh widen() {
     reserve_blocks();
+    wide_.blocks.emplace_back().clear();       // wide_empty_block
     wide_.nodes.push_back(empty_wide_node());  // the root, once it is known
     const std::optional<Filled> root = octree_.nodes.empty() ? std::nullopt : add(0);
     if (!root) return std::move(wide_);
@@ -30,7 +31,7 @@ class OctreeWidener {
  private:
   /// Growing the array would need it twice.
   void reserve_blocks() {
-    std::size_t blocks = 0;
+    std::size_t blocks = 1;
     for (const OctreeNode<float>& cell : octree_.nodes)
       if (cell.leaf) blocks += (cell.count + wide_block_width - 1) / wide_block_width;
     wide_.blocks.reserve(blocks + blocks / 16);

@@ -14,7 +14,7 @@ Image<Vec3f> eye_directions(const View& view, const Settings& settings) {
       const Vec2d place = viewport.at(x, y);
       if (settings.projection == Projection::perspective)
         direction += view.camera.right * place.x + view.camera.up * place.y;
-      directions.at(x, y) = Vec3f(unit(direction));
+      directions.at(x, y) = Vec3f(unit_of(direction));
     }
   return directions;
 }

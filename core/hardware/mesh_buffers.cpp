@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "hardware/context.h"
+#include "math/unit.h"
 #include "shade/normal_mapping.h"
 
 namespace ps::hardware {
@@ -44,10 +45,8 @@ Vec3d middle_of(const Mesh& mesh) {
 }
 
 Vec3d own_normal(const Mesh& mesh, const MeshTriangle& triangle) {
-  const Vec3d& a = mesh.positions[triangle.position[0]];
-  const Vec3d normal = cross(mesh.positions[triangle.position[1]] - a, mesh.positions[triangle.position[2]] - a);
-  const double size = std::sqrt(dot(normal, normal));
-  return size > 0 ? normal / size : normal;
+  const auto corner = [&](std::size_t k) { return mesh.positions[triangle.position[k]]; };
+  return unit_or_zero(triangle_normal(corner(0), corner(1), corner(2)));
 }
 
 /// How the texture lies on the triangle; zeros where it does not.

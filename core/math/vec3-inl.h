@@ -7,7 +7,7 @@
 #endif
 
 #include "hwy/highway.h"
-#include "math/vec.h"
+#include "math/unit.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ps::HWY_NAMESPACE {
@@ -55,10 +55,52 @@ HWY_INLINE Vec3Lanes<D> cross(const Vec3Lanes<D>& a, const Vec3Lanes<D>& b) {
   return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)), hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
           hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
 }
+
+/// What brings each lane's vector near enough to 1 to be squared: factor_for_square() of math/unit.h. Lanes whose
+/// square is good, and NaN, get 1.
 template <class D>
-HWY_INLINE hn::Vec<D> length(const Vec3Lanes<D>& a) {
-  return hn::Sqrt(dot(a, a));
+struct LaneFactors {
+  hn::Vec<D> factor;
+  bool all_one;
+};
+template <class D>
+HWY_INLINE LaneFactors<D> factors_for_squares(hn::Vec<D> square) {
+  const D d;
+  using Squares = ExactSquares<hn::TFromD<D>>;
+  const hn::Vec<D> one = hn::Set(d, 1);
+  const hn::Mask<D> small = hn::Le(square, hn::Set(d, Squares::least));
+  const hn::Mask<D> large = hn::Ge(square, hn::Set(d, Squares::greatest));
+  if (HWY_LIKELY(hn::AllFalse(d, hn::Or(small, large)))) return {one, true};
+  return {hn::IfThenElse(small, hn::Set(d, Squares::up), hn::IfThenElse(large, hn::Set(d, Squares::down), one)), false};
 }
+
+// length_of(), unit_of() and normalised() of math/unit.h.
+template <class D>
+HWY_INLINE hn::Vec<D> length_of(const Vec3Lanes<D>& a) {
+  const hn::Vec<D> square = dot(a, a);
+  const LaneFactors<D> factors = factors_for_squares<D>(square);
+  if (HWY_LIKELY(factors.all_one)) return hn::Sqrt(square);
+  const Vec3Lanes<D> near_one = scale(a, factors.factor);
+  return hn::Div(hn::Sqrt(dot(near_one, near_one)), factors.factor);
+}
+template <class D>
+HWY_INLINE Vec3Lanes<D> unit_of(const Vec3Lanes<D>& a) {
+  const hn::Vec<D> square = dot(a, a);
+  const LaneFactors<D> factors = factors_for_squares<D>(square);
+  if (HWY_LIKELY(factors.all_one)) return divide(a, hn::Sqrt(square));
+  const Vec3Lanes<D> near_one = scale(a, factors.factor);
+  return divide(near_one, hn::Sqrt(dot(near_one, near_one)));
+}
+template <class D>
+HWY_INLINE Vec3Lanes<D> normalised(const Vec3Lanes<D>& a) {
+  const D d;
+  const hn::Vec<D> square = dot(a, a);
+  const LaneFactors<D> factors = factors_for_squares<D>(square);
+  if (HWY_LIKELY(factors.all_one)) return scale(a, hn::Div(hn::Set(d, 1), hn::Sqrt(square)));
+  const Vec3Lanes<D> near_one = scale(a, factors.factor);
+  return scale(near_one, hn::Div(hn::Set(d, 1), hn::Sqrt(dot(near_one, near_one))));
+}
+
 /// Lane by lane.
 template <class D>
 HWY_INLINE Vec3Lanes<D> choose(hn::Mask<D> mask, const Vec3Lanes<D>& yes, const Vec3Lanes<D>& no) {

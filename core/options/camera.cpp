@@ -54,12 +54,13 @@ std::vector<Option> camera_rows() {
       toggle<&Settings::camera_relative>(
           {.key = "camera-relative",
            .label = "Relative to the camera",
-           .help = {"Subtracts the camera position from vertices before rounding them to float.",
+           .help = {"Subtracts an origin near the scene from geometry, lights and camera before rounding to float; the "
+                    "rasterizer then subtracts the camera position, too.",
                     "the floating origin of large worlds; LAB 7",
-                    "Off: vertices a million units from the origin jump between floats that are 1/16 unit apart."},
+                    "Off: coordinates a million units from the origin jump between floats that are 1/16 unit apart."},
            .keywords = "floating origin, large world, jitter, precision, far from origin, float",
            .truth = exactly("camera-relative=on"),
-           .acts_for = ActsFor::fragments}),
+           .acts_for = ActsFor::rays | ActsFor::fragments}),
       real<&Settings::near>(
           {.key = "near",
            .label = "Near limit",

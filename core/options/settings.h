@@ -80,7 +80,7 @@ struct Settings {
   FieldOfViewSpan field_of_view_span = FieldOfViewSpan::edges;
   double near = 1;  ///< along the camera's forward axis, in units of projection_plane_d (the book's t_min = 1)
   double far = no_far_limit;    ///< same units; anything beyond is not seen
-  bool camera_relative = true;  ///< the camera position is subtracted from vertices before they are rounded to float
+  bool camera_relative = true;  ///< an origin near the scene, or the camera, is subtracted before rounding to float
 
   Clipping clipping = Clipping::full;
   bool backface_culling = true;

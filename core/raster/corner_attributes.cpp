@@ -1,7 +1,6 @@
 #include "raster/corner_attributes.h"
 
-#include <cmath>
-
+#include "math/unit.h"
 #include "raster/clear/light_at.h"
 #include "shade/normal_mapping.h"
 
@@ -65,8 +64,7 @@ FlatPoint<Real> flat_point(const CornerSource<Real>& source, Normals normals) {
   FlatPoint<Real> point;
   point.position = mean(source.position(0), source.position(1), source.position(2));
   point.normal = mean(source.normal(0, normals), source.normal(1, normals), source.normal(2, normals));
-  const Real size = std::sqrt(dot(point.normal, point.normal));
-  if (size > 0) point.normal /= size;
+  point.normal = unit_or_zero(point.normal);
   return point;
 }
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "math/unit.h"
 #include "raster/pass.h"
 #include "record/recorder.h"
 
@@ -51,9 +52,8 @@ inline bool reads_face_normal(const Pass<Real>& pass, const Surface<Real>& surfa
 template <class Real>
 inline Vec3<Real> face_normal(const DrawObject& object, const MeshTriangle& triangle) {
   const auto world = [&](std::size_t k) { return object.world(object.mesh->positions[triangle.position[k]]); };
-  const Vec3d a = world(0);
-  const Vec3d normal = cross(world(1) - a, world(2) - a);
-  return Vec3<Real>(normal / (object.mirrored ? -std::sqrt(dot(normal, normal)) : std::sqrt(dot(normal, normal))));
+  const Vec3d normal = unit_of(triangle_normal(world(0), world(1), world(2)));
+  return Vec3<Real>(object.mirrored ? -normal : normal);
 }
 
 /// Fills in what the layout asks for; Gouraud shading evaluates the lighting at the vertices here.

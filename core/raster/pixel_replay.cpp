@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "frame/working_scene.h"
 #include "raster/clear/canvas_items.h"
 #include "raster/clear/draw_primitives.h"
 #include "raster/clear/near_pixel.h"
@@ -33,6 +34,7 @@ std::int64_t key_of(const PixelId& id) {
 }  // namespace
 
 struct PixelReplay::State {
+  const WorkingScene working;
   const Scene& scene;
   const View& view;
   ParallelOptions parallel;
@@ -48,8 +50,9 @@ struct PixelReplay::State {
 
   State(const Scene& the_scene, const View& the_view, const Settings& settings, Prepared& prepared,
         Progress& the_progress)
-      : scene(the_scene), view(the_view), parallel{settings.threads, WorkerPriority::normal}, progress(the_progress),
-        pass(make_pass<float>(scene, view, replayed(settings), Channel::none, prepared)) {
+      : working(the_scene, the_view, settings, prepared), scene(working.scene()),
+        view(working.view()), parallel{settings.threads, WorkerPriority::normal}, progress(the_progress),
+        pass(make_pass<float>(scene, view, replayed(working.settings()), Channel::none, prepared)) {
     add_maps(pass, scene, view, {0, 0, view.width, view.height}, StencilNotes::none, prepared, parallel, progress);
     geometry = make_geometry(pass, {}, parallel, progress);
     bins = bin_primitives(pass, geometry, replay_tile, parallel, progress);

@@ -2,6 +2,7 @@
 
 #include "accel/triangle_box.h"
 #include "base/stop.h"
+#include "math/unit.h"
 #include "raytrace/coincident.h"
 
 namespace ps {
@@ -34,7 +35,7 @@ BoundingSpheres make_spheres(const TracedGeometry<Real>& geometry) {
       const Box<Real> box = primitive_box(geometry, primitive);
       const Vec3d half = (Vec3d(box.high) - Vec3d(box.low)) * 0.5;
       entry.centre = (Vec3d(box.low) + Vec3d(box.high)) * 0.5;
-      entry.radius = std::sqrt(dot(half, half)) * (1 + 1e-14);
+      entry.radius = length_of(half) * (1 + 1e-14);
     }
     bounded.push_back(entry);
   }
@@ -46,7 +47,7 @@ BoundingSpheres make_spheres(const TracedGeometry<Real>& geometry) {
 template <class Real>
 Octree<Real> make_octree(const TracedGeometry<Real>& geometry, const Settings& settings) {
   const Box<Real> all = box_of_all(geometry);
-  const double slack = 64 * std::numeric_limits<double>::epsilon() * static_cast<double>(geometry.reach);
+  const double slack = 64 * std::numeric_limits<double>::epsilon() * static_cast<double>(all.reach());
   const auto overlaps = [&](std::uint32_t index, const Box<Real>& cell) {
     const Primitive& primitive = geometry.primitives[bounded_primitive(geometry, index)];
     const Box<Real> box = primitive_box(geometry, primitive);

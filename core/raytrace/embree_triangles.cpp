@@ -1,5 +1,6 @@
 #include "raytrace/embree_triangles.h"
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 
@@ -100,7 +101,7 @@ void EmbreeTriangles::Content::make(const TracedGeometry<float>& geometry) {
   if (!device) throw InputError("Embree cannot be started");
   rtcSetDeviceMemoryMonitorFunction(device, count_bytes, &bytes);
   for (std::uint32_t i = 0; i < geometry.primitives.size(); ++i)
-    if (geometry.primitives[i].kind == PrimitiveKind::triangle) primitives.push_back(i);
+    if (is_float_triangle(geometry.primitives[i])) primitives.push_back(i);
   const std::size_t count = primitives.size();
   RTCGeometry triangles = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* positions = static_cast<Vec3f*>(
@@ -189,16 +190,18 @@ void EmbreeTriangles::search(const Ray<float>&, float, bool, const Visitor&) con
 std::shared_ptr<const EmbreeGeometry<float>> embree_geometry(const Scene& scene, const TracedGeometry<float>& geometry,
                                                              Prepared& prepared) {
   Key key("embree geometry");
-  key.add(scene.geometry.revision());
+  key.add(scene.geometry.revision()).add(geometry.near_plane);
   return prepared.get<EmbreeGeometry<float>>(key, [&] {
     EmbreeGeometry<float> result;
     std::vector<std::uint32_t> others;
     for (std::uint32_t k = 0; k < bounded_count(geometry); ++k) {
       const std::uint32_t i = bounded_primitive(geometry, k);
-      if (geometry.primitives[i].kind != PrimitiveKind::triangle) others.push_back(i);
+      if (!is_float_triangle(geometry.primitives[i])) others.push_back(i);
     }
     result.others = tree_over(geometry, others);
-    if (!geometry.triangles.empty()) result.triangles = std::make_shared<const EmbreeTriangles>(geometry);
+    const auto& all = geometry.primitives;
+    if (std::any_of(all.begin(), all.end(), is_float_triangle))
+      result.triangles = std::make_shared<const EmbreeTriangles>(geometry);
     return result;
   });
 }

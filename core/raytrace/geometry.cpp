@@ -72,7 +72,9 @@ void add_instance(const Scene& scene, std::int32_t object, const Instance& insta
                                    static_cast<std::uint32_t>(geometry.triangles.size()),
                                    material,
                                    instance.sides == Sides::front,
-                                   mirrored});
+                                   mirrored,
+                                   asks_for_double(triangle, geometry.near_plane)});
+    geometry.some_in_double = geometry.some_in_double || geometry.primitives.back().in_double;
     geometry.triangles.push_back(triangle);
   }
 }
@@ -100,6 +102,7 @@ void share_instance(std::int32_t object, const Instance& instance, NormalTransfo
       continue;
     }
     for (const Vec3<Real>& corner : {triangle.a, triangle.b, triangle.c}) placed.box.include(Vec3d(corner));
+    placed.in_double = placed.in_double || asks_for_double(triangle, geometry.near_plane);
   }
   geometry.one_sided_triangles = geometry.one_sided_triangles || placed.front_only;
   geometry.numbers.push_back(
@@ -195,12 +198,13 @@ void measure_shared(TracedGeometry<Real>& geometry) {
     else
       all.include(primitive_box(geometry, primitive));
   }
-  geometry.reach = all.reach();
+  geometry.reach = geometry.float_reach = all.reach();
 }
 
 template <class Real>
 TracedGeometry<Real> build_geometry(const Scene& scene, NormalTransform normals, MeshTriangles meshes) {
   TracedGeometry<Real> geometry;
+  geometry.near_plane = scene.camera.projection_plane_d;
   const bool shared = meshes == MeshTriangles::shared;
   if (shared) geometry.meshes = scene.geometry->meshes;
   const auto& objects = scene.geometry->objects;
@@ -230,13 +234,13 @@ TracedGeometry<Real> build_geometry(const Scene& scene, NormalTransform normals,
     measure_shared(geometry);
     return geometry;
   }
-  Box<Real> all;
+  Box<Real> all, large;
   for (std::uint32_t i = 0; i < geometry.primitives.size(); ++i) {
     const Primitive& primitive = geometry.primitives[i];
     if (primitive.kind == PrimitiveKind::solid && geometry.solids[primitive.shape].unbounded)
       geometry.unbounded.push_back(i);
     else
-      all.include(primitive_box(geometry, primitive));
+      (primitive.in_double ? large : all).include(primitive_box(geometry, primitive));
   }
   if (!geometry.unbounded.empty())
     for (std::uint32_t i = 0, next = 0; i < geometry.primitives.size(); ++i) {
@@ -246,7 +250,8 @@ TracedGeometry<Real> build_geometry(const Scene& scene, NormalTransform normals,
       else
         geometry.bounded.push_back(i);
     }
-  geometry.reach = all.reach();
+  geometry.float_reach = all.reach();
+  geometry.reach = std::max(all.reach(), large.reach());
   return geometry;
 }
 
@@ -287,7 +292,11 @@ std::shared_ptr<const TracedGeometry<Real>> traced_geometry(const Scene& scene, 
   Key key("traced geometry");
   const MeshTriangles meshes =
       settings.accelerator == Accelerator::two_level ? MeshTriangles::shared : MeshTriangles::unfolded;
-  key.add(scene.geometry.revision()).add(precision_key<Real>).add(settings.normal_transform).add(meshes);
+  key.add(scene.geometry.revision())
+      .add(scene.camera.projection_plane_d)
+      .add(precision_key<Real>)
+      .add(settings.normal_transform)
+      .add(meshes);
   return prepared.get<TracedGeometry<Real>>(
       key, [&] { return build_geometry<Real>(scene, settings.normal_transform, meshes); });
 }

@@ -9,6 +9,7 @@
 #include "accel/bvh.h"
 #include "frame/frame.h"
 #include "frame/prepared.h"
+#include "math/unit.h"
 #include "options/settings.h"
 #include "raytrace/placed_instance.h"
 #include "scene/form_frame.h"
@@ -69,12 +70,13 @@ struct Primitive {
   std::uint32_t material = 0;  ///< index into Scene::materials; of a CSG object that of its first part
   bool front_only = false;     ///< rays that see its back pass through
   bool mirrored = false;       ///< a triangle whose front is the side from which its vertices run clockwise
+  bool in_double = false;      ///< a triangle that asks_for_double()
 };
 
 /// Does a ray in this direction, if it meets the triangle, come from behind?
 template <class Real>
 inline bool sees_back(const Vec3<Real>& direction, const Primitive& primitive, const TracedTriangle<Real>& triangle) {
-  const Real along = dot(cross(triangle.b - triangle.a, triangle.c - triangle.a), direction);
+  const Real along = dot(triangle_normal(triangle.a, triangle.b, triangle.c), direction);
   return primitive.mirrored ? along <= 0 : along >= 0;
 }
 
@@ -109,7 +111,10 @@ struct TracedGeometry {
   std::vector<std::uint32_t> unbounded, bounded;
   bool one_sided_triangles = false;        ///< some primitives are triangles with front_only
   std::uint64_t degenerate_triangles = 0;  ///< left out, since nothing can hit them
+  double near_plane = 1;                   ///< for asks_for_double()
+  bool some_in_double = false;             ///< of the primitives
   Real reach = 0;                          ///< the largest absolute coordinate of any bounded primitive's box
+  Real float_reach = 0;                    ///< the same without the triangles that are tested in double
 
   std::size_t heap_bytes() const {
     return owned_bytes(primitives, instances, numbers, spheres, triangles, attributes, forms, places, solids,
@@ -135,8 +140,13 @@ inline Primitive placed_primitive(const TracedGeometry<Real>& geometry, std::uin
   const PlacedInstance& placed = geometry.instances[instance];
   const Mesh& mesh = *geometry.meshes[placed.mesh];
   const std::uint32_t own = mesh.triangles[triangle].material;
-  return {{placed.object, static_cast<std::int32_t>(triangle)},     PrimitiveKind::triangle, instance,
-          placed.material ? *placed.material : mesh.materials[own], placed.front_only,       placed.mirrored};
+  return {{placed.object, static_cast<std::int32_t>(triangle)},
+          PrimitiveKind::triangle,
+          instance,
+          placed.material ? *placed.material : mesh.materials[own],
+          placed.front_only,
+          placed.mirrored,
+          placed.in_double};
 }
 
 /// The primitive with this number, where meshes are shared.
@@ -178,6 +188,16 @@ inline const TriangleAttributes<Real>& attributes_of(const TracedGeometry<Real>&
     return normal_to_world(placed.normals, mesh.normals[static_cast<std::size_t>(normal)]);
   });
   return scratch;
+}
+
+/// Do the fast searches know how to test it? They know triangles in float.
+inline bool is_float_triangle(const Primitive& primitive) {
+  return primitive.kind == PrimitiveKind::triangle && !primitive.in_double;
+}
+/// Is every primitive one of those?
+template <class Real>
+inline bool only_float_triangles(const TracedGeometry<Real>& geometry) {
+  return geometry.triangles.size() == geometry.primitives.size() && !geometry.some_in_double;
 }
 
 /// A box that certainly holds the primitive; for an infinite one a box beyond all coordinates of a scene.

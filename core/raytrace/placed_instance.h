@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "accel/box.h"
+#include "math/unit.h"
 #include "scene/mesh.h"
 #include "scene/object.h"
 #include "scene/world.h"
@@ -33,6 +34,7 @@ struct PlacedInstance {
   std::uint32_t first = 0;  ///< number of its first triangle
   bool front_only = false;
   bool mirrored = false;                  ///< mirrors(transform)
+  bool in_double = false;                 ///< some of its triangles are tested in double
   std::optional<std::uint32_t> material;  ///< for all of its triangles
   Transform transform;
   Mat3d normals{1.0};  ///< takes vertex normals to the world
@@ -74,9 +76,16 @@ inline TriangleAttributes<Real> placed_attributes(const Mesh& mesh, const MeshTr
 /// Twice the area is not 0: nothing can hit the others. Products of floats are exact in double.
 template <class Real>
 inline bool has_area(const TracedTriangle<Real>& triangle) {
-  const Vec3d a(triangle.a);
-  const Vec3d normal = cross(Vec3d(triangle.b) - a, Vec3d(triangle.c) - a);
-  return dot(normal, normal) > 0;
+  return largest_component(triangle_normal(Vec3d(triangle.a), Vec3d(triangle.b), Vec3d(triangle.c))) > 0;
 }
+
+/// Is the triangle so large, for a viewport at distance `near_plane`, that its vertices' own rounding is seen, or so
+/// small that products of its edges leave the range of float? Then float cannot test it, and double does.
+inline bool asks_for_double(const TracedTriangle<float>& triangle, double near_plane) {
+  constexpr float least = 0x1p-56f;
+  const float extent = std::max(largest_component(triangle.b - triangle.a), largest_component(triangle.c - triangle.a));
+  return extent < least || static_cast<double>(extent) > 0x1p16 * near_plane;
+}
+inline bool asks_for_double(const TracedTriangle<double>&, double) { return false; }
 
 }  // namespace ps

@@ -2,7 +2,7 @@
 #include <array>
 #include <cstdint>
 
-#include "math/vec.h"
+#include "math/has_nan.h"
 
 namespace ps {
 
@@ -20,6 +20,14 @@ struct Ray {
   bool passes_transparent = false;  ///< shadow rays: transparent primitives are not in the way
   std::uint32_t start_detail = 0;   ///< Hit::detail of the place where it starts
 };
+
+/// May the ray be searched for? One of which a number is NaN or infinite meets nothing, and no tree is asked.
+template <class Real>
+inline bool is_searchable(const Ray<Real>& ray) {
+  const Vec3<Real>&o = ray.origin, &d = ray.direction;
+  const Real sum = (o.x + o.y + o.z) * Real(0) + (d.x + d.y + d.z) * Real(0);  // 0 unless one of them is
+  return sum == 0 || (is_finite(o) && is_finite(d));
+}
 
 /// Hit::detail of a sphere where the ray comes from its inside.
 inline constexpr std::uint32_t leaves_sphere = 1;

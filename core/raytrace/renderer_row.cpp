@@ -15,14 +15,23 @@ bool rays_show_objects(const SceneTraits& traits, const Settings&) {
   return traits.spheres || traits.triangles || traits.solids || traits.csg;
 }
 
-std::vector<LeftOut> left_out_by_rays(const SceneTraits& traits, const Settings&) {
-  if (!traits.canvas_items) return {};
-  return {{LeftOutKind::objects,
-           "leaves out what is drawn on the canvas",
-           "The ray tracer leaves out lines and shapes on the canvas, which no ray hits. Set renderer = rasterizer "
-           "to see them.",
-           "Nothing of the canvas: no ray hits it.",
-           {{"Rasterizer", "renderer=rasterizer"}}}};
+std::vector<LeftOut> left_out_by_rays(const SceneTraits& traits, const Settings& settings) {
+  std::vector<LeftOut> all;
+  if (traits.canvas_items)
+    all.push_back({LeftOutKind::objects,
+                   "leaves out what is drawn on the canvas",
+                   "The ray tracer leaves out lines and shapes on the canvas, which no ray hits. Set renderer = "
+                   "rasterizer to see them.",
+                   "Nothing of the canvas: no ray hits it.",
+                   {{"Rasterizer", "renderer=rasterizer"}}});
+  if (traits.outgrows_float && settings.precision == Precision::float32 && settings.camera_relative)
+    all.push_back({LeftOutKind::effect,
+                   "rounds away detail in float",
+                   "The ray tracer rounds away detail: it is too small for its distance from the scene's middle. The "
+                   "scene needs precision = double.",
+                   "Detail is rounded away: needs precision = double.",
+                   {{"Double", "precision=double"}}});
+  return all;
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include "base/check.h"
 #include "base/stop.h"
 #include "frame/fast_kernels.h"
+#include "frame/working_scene.h"
 #include "image/image.h"
+#include "record/story_to_world.h"
 #include "render/left_out.h"
 #include "render/precision_channels.h"
 #include "render/renderer_table.h"
@@ -32,7 +34,9 @@ Frame render(const Scene& scene, const View& view, const Settings& settings, con
   RenderRequest plain = request;
   plain.channels = without(without(request.channels, Channel::precision), Channel::depth_gap);
   const RendererRow& row = renderer_row(settings.renderer);
-  Frame frame = row.render(scene, view, settings, plain, prepared, progress);
+  const WorkingScene working(scene, view, settings, prepared);
+  Frame frame = row.render(working.scene(), working.view(), working.settings(), plain, prepared, progress);
+  working.to_world(frame);
   take_counts(row, frame.counters);
   if (has(request.channels, Channel::precision))
     compare_with_double(frame, scene, view, settings, request, prepared, progress);
@@ -53,7 +57,9 @@ PixelStory inspect(const Scene& scene, const View& view, const Settings& setting
   const StopScope stop(&progress);
   PS_ASSERT(pixel.x >= 0 && pixel.y >= 0 && pixel.x < view.width && pixel.y < view.height, "pixel outside the view");
   const RendererRow& row = renderer_row(settings.renderer);
-  PixelStory story = row.inspect(scene, view, settings, pixel, prepared, progress);
+  const WorkingScene working(scene, view, settings, prepared);
+  PixelStory story = row.inspect(working.scene(), working.view(), working.settings(), pixel, prepared, progress);
+  story_to_world(working.space, story.events);
   take_counts(row, story.counters);
   // A listing gives its own verdict and sum, and so does a renderer that reports no steps.
   if (!story.listing && story.verdict.empty()) finish_story(story, scene, settings);

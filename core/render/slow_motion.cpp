@@ -6,6 +6,7 @@
 #include "base/number_text.h"
 #include "base/stop.h"
 #include "frame/fast_kernels.h"
+#include "frame/working_scene.h"
 #include "image/image.h"
 #include "render/renderer_table.h"
 #include "render/story/names.h"
@@ -67,7 +68,10 @@ SlowFrame render_slowly(const Scene& scene, const View& view, const Settings& se
     throw InputError(fmt::format("slow motion by {}: {}", slow_unit(motion.unit).key, *lack));
   const StopScope stop(&progress);
   const RendererRow& row = renderer_row(settings.renderer);
-  SlowFrame slow = row.slow_motion(scene, view, settings, motion, request, prepared, progress);
+  const WorkingScene working(scene, view, settings, prepared);
+  SlowFrame slow =
+      row.slow_motion(working.scene(), working.view(), working.settings(), motion, request, prepared, progress);
+  working.to_world(slow.frame);
   CounterSet given;
   for (std::size_t i = 0; i < counter_count; ++i)
     if (const auto counter = static_cast<Counter>(i);

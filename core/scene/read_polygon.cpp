@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/unit.h"
 #include "scene/canvas_item.h"
 #include "scene/scene_draft.h"
 
@@ -39,8 +40,8 @@ void require_flat(const SceneValues& values, const SceneTerm& vertices, const st
   double size = 0, farthest = 0;
   std::size_t worst = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    size = std::max(size, length(points[i] - centre));
-    const double away = std::abs(dot(points[i] - centre, normal)) / length(normal);
+    size = std::max(size, length_of(points[i] - centre));
+    const double away = std::abs(dot(points[i] - centre, normal)) / length_of(normal);
     if (away > farthest) farthest = away, worst = i;
   }
   if (farthest > flat_enough * size)
@@ -57,7 +58,7 @@ void read_space_polygon(const SceneSource& source, const SceneEntry& entry, Scen
   Mesh mesh;
   for (const SceneTerm& term : vertices.items) mesh.positions.push_back(values.vec3(term));
   const Vec3d normal = mean_normal(mesh.positions);
-  const double area = length(normal);
+  const double area = length_of(normal);
   if (!(area > 0) || !std::isfinite(area)) values.fail(vertices, "the vertices of a polygon with an area");
   require_flat(values, vertices, mesh.positions, normal);
   if (!is_convex(flattened(mesh.positions, normal), flat_enough * area))
@@ -65,7 +66,7 @@ void read_space_polygon(const SceneSource& source, const SceneEntry& entry, Scen
   for (std::uint32_t i = 1; i + 1 < mesh.positions.size(); ++i) {
     MeshTriangle triangle;
     triangle.position = {0, i, i + 1};
-    if (length(cross(mesh.positions[i] - mesh.positions[0], mesh.positions[i + 1] - mesh.positions[0])) > 0)
+    if (length_of(cross(mesh.positions[i] - mesh.positions[0], mesh.positions[i + 1] - mesh.positions[0])) > 0)
       mesh.triangles.push_back(triangle);
   }
   mesh.materials = {material_for(source, fields, {}, draft)};

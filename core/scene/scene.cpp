@@ -6,6 +6,8 @@
 #include <variant>
 
 #include "base/check.h"
+#include "math/unit.h"
+#include "scene/working_space.h"
 
 namespace ps {
 namespace {
@@ -74,6 +76,7 @@ SceneTraits scene_traits(const Scene& scene) {
     return light.kind == LightKind::point && light.attenuation != Vec3d{1, 0, 0};
   });
   traits.light_count = scene.lights->size();
+  traits.outgrows_float = outgrows_float(scene);
   traits.canvas_items = !scene.canvas_items->empty();
   traits.canvas_triangles =
       std::any_of(scene.canvas_items->begin(), scene.canvas_items->end(),
@@ -112,8 +115,7 @@ BoundingSphere bounding_sphere(const Mesh& mesh) {
   }
   BoundingSphere sphere{(low + high) * 0.5, 0};
   for (const Vec3d& p : mesh.positions) {
-    const Vec3d offset = p - sphere.centre;
-    sphere.radius = std::max(sphere.radius, std::sqrt(dot(offset, offset)));
+    sphere.radius = std::max(sphere.radius, length_of(p - sphere.centre));
   }
   return sphere;
 }

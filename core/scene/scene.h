@@ -98,6 +98,7 @@ struct SceneTraits {
   bool any_transparency = false;    ///< a transparency above 0, even one that cannot be seen
   bool one_sided = false;           ///< triangles that are seen from their front alone
   bool dynamic = false;             ///< objects that are marked so
+  bool outgrows_float = false;      ///< rays in float miss its detail (scene/working_space.h)
   std::size_t sphere_count = 0, light_count = 0;
 };
 SceneTraits scene_traits(const Scene& scene);

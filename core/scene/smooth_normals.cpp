@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "math/portable.h"
+#include "math/unit.h"
 
 namespace ps {
 namespace {
@@ -13,10 +14,9 @@ Vec3d weighted_normal(const Mesh& mesh, const MeshTriangle& triangle, std::size_
   const Vec3d& tip = mesh.positions[triangle.position[i]];
   Vec3d a = mesh.positions[triangle.position[(i + 1) % 3]] - tip;
   Vec3d b = mesh.positions[triangle.position[(i + 2) % 3]] - tip;
-  const double a_length = glm::length(a), b_length = glm::length(b);
-  if (!(a_length > 0 && b_length > 0)) return Vec3d(0);
-  a /= a_length;
-  b /= b_length;
+  if (!(largest_component(a) > 0 && largest_component(b) > 0)) return Vec3d(0);
+  a = unit_of(a);
+  b = unit_of(b);
   const Vec3d normal = cross(a, b);
   const double sine = glm::length(normal);
   if (!(sine > 0)) return Vec3d(0);

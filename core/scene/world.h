@@ -1,6 +1,5 @@
 #pragma once
-#include <cmath>
-
+#include "math/unit.h"
 #include "scene/normal_transform.h"
 #include "scene/object.h"
 
@@ -47,10 +46,6 @@ inline Mat3d normal_matrix(const Transform& transform, NormalTransform how) {
 }
 
 /// A vertex normal in the world, brought to length 1; zero stays zero.
-inline Vec3d normal_to_world(const Mat3d& matrix, const Vec3d& normal) {
-  const Vec3d turned = matrix * normal;
-  const double length = std::sqrt(dot(turned, turned));
-  return length > 0 ? turned / length : turned;
-}
+inline Vec3d normal_to_world(const Mat3d& matrix, const Vec3d& normal) { return unit_or_zero(matrix * normal); }
 
 }  // namespace ps

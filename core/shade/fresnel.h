@@ -2,7 +2,7 @@
 #include <cmath>
 #include <optional>
 
-#include "math/vec.h"
+#include "math/unit.h"
 
 namespace ps {
 
@@ -18,8 +18,8 @@ struct Refraction {
 template <class Real>
 inline std::optional<Refraction<Real>> refract(const Vec3<Real>& direction, const Vec3<Real>& normal, Real n1,
                                                Real n2) {
-  const Real length = std::sqrt(dot(direction, direction));
-  const Vec3<Real> unit = direction / length;
+  const Real length = length_of(direction);
+  const Vec3<Real> unit = unit_of(direction);
   const Real along = dot(unit, normal);
   const Vec3<Real> facing = along > 0 ? -normal : normal;
   const Real cos_incident = std::abs(along);

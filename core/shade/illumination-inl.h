@@ -40,21 +40,21 @@ HWY_INLINE void add_light(Vec3Lanes<D>& sum, hn::Mask<D> mask, const Vec3f& colo
   sum = choose(mask, more, sum);
 }
 
-/// The two directions of highlight_angle(). `light_distance` is the length of `to_light`.
+/// The two directions of highlight_angle().
 template <class D>
 struct HighlightLanes {
   Vec3Lanes<D> a, b;
 };
 template <class D>
 HWY_INLINE HighlightLanes<D> highlight_lanes(const LitLanes<D>& points, const Vec3Lanes<D>& to_light,
-                                             hn::Vec<D> n_dot_l, hn::Vec<D> light_distance) {
+                                             hn::Vec<D> n_dot_l) {
   HighlightLanes<D> angle{points.normal, points.to_eye};
   switch (points.highlight) {
   case Highlight::phong:
     angle.a = subtract(scale(points.normal, hn::Mul(hn::Set(D(), 2.0f), n_dot_l)), to_light);
     break;
   case Highlight::blinn_phong:
-    angle.b = add(divide(to_light, light_distance), divide(angle.b, length(angle.b)));
+    angle.b = add(unit_of(to_light), unit_of(angle.b));
     break;
   }
   return angle;
@@ -65,7 +65,7 @@ template <class D>
 HWY_INLINE hn::Mask<D> adds_light(const LitLanes<D>& points, const Vec3Lanes<D>& to_light) {
   const hn::Vec<D> zero = hn::Zero(D());
   const hn::Vec<D> n_dot_l = dot(points.normal, to_light);
-  const HighlightLanes<D> angle = highlight_lanes(points, to_light, n_dot_l, length(to_light));
+  const HighlightLanes<D> angle = highlight_lanes(points, to_light, n_dot_l);
   return hn::Or(hn::Gt(n_dot_l, zero), hn::And(points.specular, hn::Gt(dot(angle.a, angle.b), zero)));
 }
 
@@ -81,16 +81,16 @@ HWY_INLINE void add_casting_light(const ShadingLight<float>& light, const LitLan
   const Vec3Lanes<D> vector = same_in_lanes<D>(light.vector);
   const Vec3Lanes<D> to_light = light.kind == LightKind::point ? subtract(vector, points.position) : vector;
   const V n_dot_l = dot(points.normal, to_light);
-  const V light_distance = length(to_light);
+  const V light_distance = length_of(to_light);
   add_light(sum, hn::And(lit, hn::Gt(n_dot_l, zero)), light.colour,
             hn::Div(hn::Mul(intensity, n_dot_l), hn::Mul(points.normal_length, light_distance)));
   const hn::Mask<D> shining = hn::And(lit, points.specular);
   if (hn::AllFalse(d, shining)) return;
-  const HighlightLanes<D> angle = highlight_lanes(points, to_light, n_dot_l, light_distance);
+  const HighlightLanes<D> angle = highlight_lanes(points, to_light, n_dot_l);
   const V product = dot(angle.a, angle.b);
   const hn::Mask<D> bright = hn::And(shining, hn::Gt(product, zero));
   if (hn::AllFalse(d, bright)) return;
-  const V cosine = hn::Div(product, hn::Mul(length(angle.a), length(angle.b)));
+  const V cosine = hn::Div(product, hn::Mul(length_of(angle.a), length_of(angle.b)));
   // Where the light so far is not dark, a highlight below a quarter of its last bit is not worth its power.
   const auto largest = std::max({std::abs(light.colour.x), std::abs(light.colour.y), std::abs(light.colour.z)});
   const V dark = hn::Set(d, std::abs(light.intensity) * largest * 0x1p-10f);

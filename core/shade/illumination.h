@@ -81,11 +81,6 @@ inline Real specular_factor(const IlluminationOptions& options, Real exponent, R
   return cosine > 0 ? (exponent + 8) / (8 * std::numbers::pi_v<Real>)*cosine : Real(0);
 }
 
-template <class Real>
-inline Real length(const Vec3<Real>& v) {
-  return std::sqrt(dot(v, v));
-}
-
 /// The `incoming` direction (away from the surface) mirrored about `normal`, whose length must be 1; `cosine` is their
 /// dot product.
 template <class Real>
@@ -102,7 +97,7 @@ template <class Real>
 struct HighlightAngle {
   Vec3<Real> a, b;
   Real dot_product = 0;
-  Real cosine() const { return dot_product / (length(a) * length(b)); }
+  Real cosine() const { return dot_product / (length_of(a) * length_of(b)); }
 };
 
 template <class Real>
@@ -116,7 +111,7 @@ inline HighlightAngle<Real> highlight_angle(const LitPoint<Real>& point, const V
     break;
   case Highlight::blinn_phong:
     angle.a = point.normal;
-    angle.b = unit(to_light) + unit(point.to_eye);
+    angle.b = unit_of(to_light) + unit_of(point.to_eye);
     break;
   }
   angle.dot_product = dot(angle.a, angle.b);
@@ -188,7 +183,7 @@ Lighting<Real> illuminate(const LitPoint<Real>& point, const ShadingMaterial<Rea
     Real diffuse = 0;
     Real specular = 0;
     if (!dark && n_dot_l > 0) {
-      diffuse = intensity * n_dot_l / (length(point.normal) * length(to_light));
+      diffuse = intensity * n_dot_l / (length_of(point.normal) * length_of(to_light));
       if (radiometric) diffuse *= diffuse_factor<Real>(options);
       add(sum.light, light.colour, diffuse);
     }
@@ -197,7 +192,8 @@ Lighting<Real> illuminate(const LitPoint<Real>& point, const ShadingMaterial<Rea
       if (angle.dot_product > 0) {
         specular = intensity * power(angle.cosine(), *material.specular);
         if (radiometric)
-          specular *= specular_factor(options, *material.specular, n_dot_l / (length(point.normal) * length(to_light)));
+          specular *=
+              specular_factor(options, *material.specular, n_dot_l / (length_of(point.normal) * length_of(to_light)));
         if (material.specular_colour)
           add(sum.extra, *material.specular_colour * light.colour, specular);
         else
@@ -209,7 +205,7 @@ Lighting<Real> illuminate(const LitPoint<Real>& point, const ShadingMaterial<Rea
       event.light = index;
       event.kind = light.kind;
       event.to_light = Vec3d(to_light);
-      event.n_dot_l = static_cast<double>(n_dot_l / (length(point.normal) * length(to_light)));
+      event.n_dot_l = static_cast<double>(n_dot_l / (length_of(point.normal) * length_of(to_light)));
       event.r_dot_v = static_cast<double>(highlight_angle(point, to_light, options.highlight).cosine());
       event.diffuse = static_cast<double>(diffuse);
       event.specular = static_cast<double>(specular);

@@ -49,10 +49,10 @@ struct TangentSpace {
 template <class Real>
 inline std::optional<TangentSpace<Real>> tangent_space(const Vec3<Real>& normal, const TangentFrame<Real>& frame) {
   TangentSpace<Real> space;
-  space.normal = unit(normal);
+  space.normal = unit_of(normal);
   const Vec3<Real> across = frame.along_u - space.normal * dot(space.normal, frame.along_u);
-  if (!(dot(across, across) > 0)) return {};
-  space.tangent = unit(across);
+  if (!(largest_component(across) > 0)) return {};
+  space.tangent = unit_of(across);
   const Vec3<Real> side = cross(space.normal, space.tangent);
   space.bitangent = dot(side, frame.upwards) < 0 ? -side : side;
   return space;
@@ -62,9 +62,7 @@ inline std::optional<TangentSpace<Real>> tangent_space(const Vec3<Real>& normal,
 template <class Real>
 inline Vec3<Real> mapped_normal(const TangentSpace<Real>& space, const Vec3<Real>& stored) {
   const Vec3<Real> turned = space.tangent * stored.x + space.bitangent * stored.y + space.normal * stored.z;
-  const Real square = dot(turned, turned);
-  if (!(square > 0)) return space.normal;
-  return turned / std::sqrt(square);
+  return largest_component(turned) > 0 ? unit_of(turned) : space.normal;
 }
 
 }  // namespace ps

@@ -23,8 +23,8 @@ namespace ps {
 template <class Real>
 inline std::optional<Vec2<Real>> relief_shift(const Vec3<Real>& normal, const TangentFrame<Real>& frame,
                                               const Vec3<Real>& to_eye, Real depth, Parallax method) {
-  const Vec3<Real> n = unit(normal);
-  const Vec3<Real> v = unit(to_eye);
+  const Vec3<Real> n = unit_of(normal);
+  const Vec3<Real> v = unit_of(to_eye);
   const Real cosine = dot(n, v);
   if (!(cosine > 0)) return {};
   Vec3<Real> along = n * cosine - v;  // within the surface, for a cosine of depth

@@ -21,7 +21,7 @@ inline Vec2<Real> reflection_uv(Surroundings surroundings, const Vec3<Real>& dir
   const Vec2<Real> half_texel{Real(0.5) / static_cast<Real>(width), Real(0.5) / static_cast<Real>(height)};
   switch (surroundings) {
   case Surroundings::sphere: {
-    const Vec2<Real> uv = world_map_uv(unit(direction));
+    const Vec2<Real> uv = world_map_uv(unit_of(direction));
     return {uv.x, std::clamp(uv.y, half_texel.y, 1 - half_texel.y)};
   }
   case Surroundings::cube: {

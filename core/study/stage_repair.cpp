@@ -15,9 +15,9 @@ using raster::CoveringTriangle;
 using raster::GivenFragment;
 using raster::ReplayMaps;
 
-std::shared_ptr<const StageValues> stages_of(const StageRequest& request, Prepared& prepared, StudyControl& control) {
-  return renderer_row(request.other.renderer)
-      .stage_values(request.scene, request.view, request.other, prepared, control.progress());
+std::shared_ptr<const StageValues> stages_of(const WorkingScene& working, Prepared& prepared, StudyControl& control) {
+  return renderer_row(working.settings().renderer)
+      .stage_values(working.scene(), working.view(), working.settings(), prepared, control.progress());
 }
 
 std::size_t place_of(const std::vector<CoveringTriangle>& covering, const PixelId& id) {
@@ -44,7 +44,8 @@ Settings honoured_settings(const Settings& settings, const StageValues& stages) 
 }
 
 StageRepair::StageRepair(const StageRequest& request, Prepared& prepared, StudyControl& control)
-    : request_(request), control_(control), stages_(stages_of(request, prepared, control)),
+    : request_(request), working_(request.scene, request.view, request.other, prepared), control_(control),
+      stages_(stages_of(working_, prepared, control)),
       replay_(request.scene, request.view, request.ours, prepared, control.progress()) {
   replay_.give_maps(stages_->shadow_maps, stages_->environment, stages_->in_shadow);
   const Settings honoured = honoured_settings(request.other, *stages_);

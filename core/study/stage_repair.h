@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "frame/working_scene.h"
 #include "raster/pixel_replay.h"
 #include "study/stage_causes.h"
 
@@ -63,6 +64,7 @@ class StageRepair {
   double edge_distance(const Pixel& pixel) const;
 
   const StageRequest& request_;
+  const WorkingScene working_;
   StudyControl& control_;
   std::shared_ptr<const StageValues> stages_;
   raster::PixelReplay replay_;

@@ -24,7 +24,7 @@ std::string short_vec(const Vec3d& v) { return fmt::format("({:.5g}, {:.5g}, {:.
 std::array<Vec3d, 3> axes_of(const Mat3d& rotation) {
   std::array<Vec3d, 3> axes{Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}};
   for (int i = 0; i < 3; ++i)
-    if (dot(rotation[i], rotation[i]) > 0) axes[static_cast<std::size_t>(i)] = unit(rotation[i]);
+    if (dot(rotation[i], rotation[i]) > 0) axes[static_cast<std::size_t>(i)] = unit_of(rotation[i]);
   return axes;
 }
 

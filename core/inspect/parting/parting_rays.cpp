@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "inspect/parting/parting_parts.h"
+#include "math/unit.h"
 #include "record/value_text.h"
 #include "render/story/names.h"
 #include "render/story/reason_text.h"
@@ -46,7 +47,7 @@ bool turned_down_root(const PixelStory& story, int test, double t) {
 bool starts_on(const PixelStory& story, const Sighting& sighting) {
   const auto* ray = event_at<RayEvent>(story, sighting.ray);
   if (!ray || ray->kind == RayKind::eye) return false;
-  const double step = t_of(story, sighting) * length(ray->direction);
+  const double step = t_of(story, sighting) * length_of(ray->direction);
   const double scale = std::max({1.0, std::abs(ray->origin.x), std::abs(ray->origin.y), std::abs(ray->origin.z)});
   return step < 1e-2 * scale;
 }

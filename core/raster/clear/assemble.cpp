@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/unit.h"
 #include "raster/clear/canvas_line.h"
 #include "raster/clear/fragment_event.h"
 #include "raster/clear/light_at.h"
@@ -51,13 +52,11 @@ class Assembler {
     for (std::size_t k = 0; k < 3; ++k) corner_[k] = Vec3<Real>(vertices_.camera[source_.triangle->position[k]]);
     if (inspected_) look_at_places();
     const Vec3<Real> normal = cross(corner_[1] - corner_[0], corner_[2] - corner_[0]);
-    if (!(dot(normal, normal) > 0)) {
+    in_double_ = !has_exact_square(dot(normal, normal));
+    if (!(in_double_ ? look_in_double() : look(corner_, normal))) {
       recorder_.count(Counter::triangles_degenerate);
       return reject(RejectReason::zero_area, "");
     }
-    const auto handedness = static_cast<Real>(facing_sense(pass_, object_));
-    const Vec3<Real> to_eye = pass_.perspective() ? -corner_[0] : Vec3<Real>(0, 0, -1);
-    back_face_ = !(handedness * dot(normal, to_eye) > 0);
     if (back_face_ && (pass_.settings.backface_culling || object_.front_only)) {
       recorder_.count(Counter::triangles_backfacing);
       return reject(RejectReason::back_face, "");
@@ -68,6 +67,25 @@ class Assembler {
       fill();
     else
       outline();
+  }
+
+  /// Which side of the triangle faces the eye. False: it has no area.
+  template <class Number>
+  bool look(const std::array<Vec3<Number>, 3>& corners, const Vec3<Number>& normal) {
+    if (!(largest_component(normal) > 0)) return false;
+    const auto handedness = static_cast<Number>(facing_sense(pass_, object_));
+    const Vec3<Number> to_eye = pass_.perspective() ? -corners[0] : Vec3<Number>(0, 0, -1);
+    back_face_ = !(handedness * dot(normal, to_eye) > 0);
+    return true;
+  }
+
+  /// The same of a triangle so large or so small that Real cannot square its normal: its vertices before rounding.
+  bool look_in_double() {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3d world = object_.world(object_.mesh->positions[source_.triangle->position[k]]);
+      exact_[k] = pass_.settings.camera_relative ? pass_.camera_space.point(world) : Vec3d(corner_[k]);
+    }
+    return look(exact_, triangle_normal(exact_[0], exact_[1], exact_[2]));
   }
 
   /// Whether the triangle is far from the inspected pixel, and where its vertices lie if nothing cuts it.
@@ -119,8 +137,9 @@ class Assembler {
   }
 
   void fill() {
+    if (in_double_) return fill_clipped(exact_);
     if (corners_in_view() == 3 && fill_whole()) return;
-    fill_clipped();
+    fill_clipped(corner_);
   }
 
   /// The common case, a triangle that nothing cuts: the same steps without polygons. False if something does cut it.
@@ -139,23 +158,26 @@ class Assembler {
     return true;
   }
 
-  void fill_clipped() {
-    ClipPolygon<Real> polygon;
+  /// `Number` is Real, or double for a triangle that look_in_double() sees.
+  template <class Number>
+  void fill_clipped(const std::array<Vec3<Number>, 3>& corners) {
+    ClipPolygon<Number> polygon;
     for (std::size_t k = 0; k < 3; ++k) {
-      Vec3<Real> weights(0);
+      Vec3<Number> weights(0);
       weights[static_cast<int>(k)] = 1;
-      polygon.push({corner_[k], weights});
+      polygon.push({corners[k], weights});
     }
     bool split = false;
     for (const auto& plane : pass_.planes) {
-      const ClipOutcome outcome = clip_polygon(polygon, plane);
+      const ClipOutcome outcome = clip_polygon<Number>(
+          polygon, {Vec3<Number>(plane.normal), static_cast<Number>(plane.offset), plane.reason, plane.name});
       if (outcome == ClipOutcome::outside) {
         recorder_.count(Counter::triangles_clipped_away);
         return reject(plane.reason, plane.name);
       }
       split = split || outcome == ClipOutcome::split;
     }
-    std::array<CanvasCorner<Real>, ClipPolygon<Real>::capacity> canvas;
+    std::array<CanvasCorner<Number>, ClipPolygon<Number>::capacity> canvas;
     int size = polygon.size;
     if (!project(polygon, canvas)) return reject(RejectReason::behind_camera, "no finite position on the canvas");
     if (!cut_canvas(canvas, size, split)) {
@@ -167,12 +189,14 @@ class Assembler {
   }
 
   /// False if a vertex has no finite place on the canvas, which only happens without a near plane.
-  bool project(const ClipPolygon<Real>& polygon, std::array<CanvasCorner<Real>, 16>& canvas) const {
+  template <class Number>
+  bool project(const ClipPolygon<Number>& polygon, std::array<CanvasCorner<Number>, 16>& canvas) const {
+    const CanvasProjection<Number> projection = make_canvas_projection<Number>(pass_.viewport);
     for (int i = 0; i < polygon.size; ++i) {
       const auto k = static_cast<std::size_t>(i);
-      const ClipVertex<Real>& vertex = polygon.corners[k];
-      canvas[k] = {pass_.projection.from_top_left(vertex.position),
-                   pass_.perspective() ? Real(1) / vertex.position.z : vertex.position.z, vertex.weights};
+      const ClipVertex<Number>& vertex = polygon.corners[k];
+      canvas[k] = {projection.from_top_left(vertex.position),
+                   pass_.perspective() ? Number(1) / vertex.position.z : vertex.position.z, vertex.weights};
       if (!std::isfinite(canvas[k].position.x) || !std::isfinite(canvas[k].position.y) ||
           !std::isfinite(canvas[k].depth))
         return false;
@@ -182,11 +206,12 @@ class Assembler {
 
   /// Cuts the polygon on the canvas to the guard band. What is linear there is depth, and weights times 1 / z. False if
   /// nothing is left.
-  bool cut_canvas(std::array<CanvasCorner<Real>, 16>& canvas, int& size, bool& split) const {
-    ClipPolygon<Real> polygon;
+  template <class Number>
+  bool cut_canvas(std::array<CanvasCorner<Number>, 16>& canvas, int& size, bool& split) const {
+    ClipPolygon<Number> polygon;
     for (int i = 0; i < size; ++i) {
       const auto& c = canvas[static_cast<std::size_t>(i)];
-      const Real share = pass_.perspective() ? c.depth : Real(1);
+      const Number share = pass_.perspective() ? c.depth : Number(1);
       polygon.push({{c.position.x, c.position.y, c.depth}, c.weights * share});
     }
     bool cut = false;
@@ -196,13 +221,14 @@ class Assembler {
     size = polygon.size;
     for (int i = 0; i < size; ++i) {
       const auto& v = polygon.corners[static_cast<std::size_t>(i)];
-      const Real share = pass_.perspective() ? v.position.z : Real(1);
+      const Number share = pass_.perspective() ? v.position.z : Number(1);
       canvas[static_cast<std::size_t>(i)] = {{v.position.x, v.position.y}, v.position.z, v.weights / share};
     }
     return true;
   }
 
-  void emit(const CanvasCorner<Real>* canvas, int size, bool split) {
+  template <class Number>
+  void emit(const CanvasCorner<Number>* canvas, int size, bool split) {
     ScreenTriangle<Real> piece;
     piece.surface = surface_index();
     piece.sequence = sequence_;
@@ -216,7 +242,7 @@ class Assembler {
     std::array<CornerAttributes<Real>, 3> attributes;
     Lighting<Real> flat;
     for (int i = 1; i + 1 < size; ++i) {
-      const std::array<const CanvasCorner<Real>*, 3> c{canvas, canvas + i, canvas + i + 1};
+      const std::array<const CanvasCorner<Number>*, 3> c{canvas, canvas + i, canvas + i + 1};
       for (std::size_t k = 0; k < 3; ++k) piece.corners[k] = to_fixed(c[k]->position, pass_.grid.subpixel_bits);
       if (doubled_area(piece.corners) == 0) continue;
       area = true;
@@ -231,8 +257,9 @@ class Assembler {
       piece.face_normal = source_.face_normal;
       piece.attributes = static_cast<std::uint32_t>(batch_.attributes.size());
       for (std::size_t k = 0; k < 3; ++k) {
-        piece.z[k] = pass_.perspective() ? Real(1) / c[k]->depth : c[k]->depth;
-        piece.inverse_z[k] = pass_.perspective() ? c[k]->depth : Real(1) / c[k]->depth;
+        const Number depth = c[k]->depth, inverse = Number(1) / depth;
+        piece.z[k] = static_cast<Real>(pass_.perspective() ? inverse : depth);
+        piece.inverse_z[k] = static_cast<Real>(pass_.perspective() ? depth : inverse);
         store_attributes(attributes, *c[k], split);
       }
       if (surface().layout.flat_light) {
@@ -241,7 +268,7 @@ class Assembler {
       }
       if (split)
         for (std::size_t k = 0; k < 3; ++k)
-          for (int axis = 0; axis < 3; ++axis) batch_.attributes.push_back(c[k]->weights[axis]);
+          for (int axis = 0; axis < 3; ++axis) batch_.attributes.push_back(static_cast<Real>(c[k]->weights[axis]));
       recorder_.count(Counter::triangles_drawn);
       batch_.triangles.push_back(piece);
     }
@@ -254,17 +281,20 @@ class Assembler {
   }
 
   /// The scalars of a vertex, carried as value / z where interpolation is perspective-correct.
-  void store_attributes(const std::array<CornerAttributes<Real>, 3>& attributes, const CanvasCorner<Real>& corner,
+  template <class Number>
+  void store_attributes(const std::array<CornerAttributes<Real>, 3>& attributes, const CanvasCorner<Number>& corner,
                         bool split) {
-    const Real share = pass_.divides() ? corner.depth : Real(1);
+    const Real share = pass_.divides() ? static_cast<Real>(corner.depth) : Real(1);
+    const auto number = [](Real value) { return static_cast<Number>(value); };
     const auto count = static_cast<std::size_t>(surface().layout.count);
     const std::size_t first = batch_.attributes.size();
     batch_.attributes.resize(first + count);
     Real* stored = batch_.attributes.data() + first;
     const std::size_t k = corner.weights.x == 1 ? 0 : corner.weights.y == 1 ? 1 : 2;
     for (std::size_t a = 0; a < count; ++a) {
-      const Real value = split ? attributes[0][a] * corner.weights.x + attributes[1][a] * corner.weights.y +
-                                     attributes[2][a] * corner.weights.z
+      const Real value = split ? static_cast<Real>(number(attributes[0][a]) * corner.weights.x +
+                                                   number(attributes[1][a]) * corner.weights.y +
+                                                   number(attributes[2][a]) * corner.weights.z)
                                : attributes[k][a];
       stored[a] = value * share;
     }
@@ -358,6 +388,8 @@ class Assembler {
   std::uint32_t sequence_ = 0;
   CornerSource<Real> source_;
   std::array<Vec3<Real>, 3> corner_{};  ///< camera space
+  bool in_double_ = false;
+  std::array<Vec3d, 3> exact_{};  ///< with in_double_: camera space
   bool back_face_ = false;
   // Of an inspected pixel.
   std::array<FixedPoint, 3> place_{};

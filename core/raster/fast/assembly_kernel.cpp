@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "math/unit.h"
 #include "options/simd_choice.h"
 #include "raster/fast/assembly.h"
 
@@ -84,7 +85,8 @@ HWY_INLINE V dot(V ax, V ay, V az, V bx, V by, V bz) {
   return hn::Add(hn::Add(hn::Mul(ax, bx), hn::Mul(ay, by)), hn::Mul(az, bz));
 }
 
-/// The triangle's normal in camera space is not null; and it looks towards the eye.
+/// The square of the triangle's normal in camera space keeps its digits, else the clear path knows; and the normal
+/// looks towards the eye.
 struct Facing {
   M solid, front;
 };
@@ -96,7 +98,10 @@ HWY_INLINE Facing facing(const std::array<Corner, 3>& c, float handedness) {
   const V ny = hn::Sub(hn::Mul(az, bx), hn::Mul(ax, bz));
   const V nz = hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx));
   const V towards = dot(nx, ny, nz, hn::Neg(c[0].x), hn::Neg(c[0].y), hn::Neg(c[0].z));
-  return {hn::RebindMask(DI(), hn::Gt(dot(nx, ny, nz, nx, ny, nz), hn::Zero(d))),
+  const V square = dot(nx, ny, nz, nx, ny, nz);
+  using Squares = ExactSquares<float>;
+  return {hn::RebindMask(
+              DI(), hn::And(hn::Gt(square, hn::Set(d, Squares::least)), hn::Lt(square, hn::Set(d, Squares::greatest)))),
           hn::RebindMask(DI(), hn::Gt(hn::Mul(hn::Set(d, handedness), towards), hn::Zero(d)))};
 }
 
@@ -171,7 +176,7 @@ HWY_INLINE void assemble_vector(const AssemblyRules& rules, const TriangleBlock&
   std::array<Corner, 3> c{load_points(block, vertices[0]), load_points(block, vertices[1]),
                           load_points(block, vertices[2])};
   const Facing face = facing(c, rules.handedness);
-  result.degenerate += hn::CountTrue(di, hn::AndNot(face.solid, wanted));
+  result.left |= bits_of(hn::AndNot(face.solid, wanted)) << first;
   M rest = hn::And(wanted, face.solid);
   if (rules.cull_backs) {
     result.back_facing += hn::CountTrue(di, hn::AndNot(face.front, rest));

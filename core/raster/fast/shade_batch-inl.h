@@ -61,15 +61,14 @@ HWY_INLINE V3 light_of_equation(const BatchShading& shading, const Source& sourc
   V3 position{zero, zero, zero};
   if (shading.position >= 0) position = source.vector(shading.position);
   if (shading.renormalise) {
-    const V size = length(normal);
-    normal = choose(hn::Gt(size, zero), divide(normal, size), normal);
+    normal = choose(hn::Gt(length_of(normal), zero), unit_of(normal), normal);
   }
   const M all = hn::Eq(zero, zero);
   const M specular = shading.specular ? all : hn::Not(all);
   const ps::HWY_NAMESPACE::LitLanes<D> points{position,
                                               normal,
                                               subtract(splat3(shading.eye), position),
-                                              length(normal),
+                                              length_of(normal),
                                               specular,
                                               splat(shading.exponent),
                                               splat(shading.faint),

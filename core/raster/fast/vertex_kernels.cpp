@@ -13,6 +13,8 @@
 #include "hwy/highway.h"
 
 #if HWY_ARCH_X86 && (HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3)
+#include "math/vec3-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace ps::raster::HWY_NAMESPACE {
 namespace {
@@ -25,9 +27,7 @@ using V = hn::Vec<D>;
 using VF = hn::Vec<DF>;
 using VI = hn::Vec<DI>;
 
-struct V3 {
-  V x, y, z;
-};
+using V3 = ps::HWY_NAMESPACE::Vec3Lanes<D>;
 
 HWY_INLINE V splat(double value) { return hn::Set(D(), value); }
 
@@ -52,10 +52,8 @@ struct Floats {
 /// matrix * normal, length 1 (unless it has none).
 HWY_INLINE Floats unit_normals(const Mat3d& matrix, const Vec3d* normals) {
   const V3 n = multiply(matrix, load(normals));
-  const V length = hn::Sqrt(hn::Add(hn::Add(hn::Mul(n.x, n.x), hn::Mul(n.y, n.y)), hn::Mul(n.z, n.z)));
-  const auto some = hn::Gt(length, hn::Zero(D()));
-  const auto unit = [&](V v) HWY_ATTR { return hn::DemoteTo(DF(), hn::IfThenElse(some, hn::Div(v, length), v)); };
-  return {unit(n.x), unit(n.y), unit(n.z)};
+  const V3 unit = choose(hn::Gt(length_of(n), hn::Zero(D())), unit_of(n), n);
+  return {hn::DemoteTo(DF(), unit.x), hn::DemoteTo(DF(), unit.y), hn::DemoteTo(DF(), unit.z)};
 }
 
 constexpr std::size_t most_lanes = 8;

@@ -1,12 +1,11 @@
 #pragma once
-#include <cmath>
 #include <memory>
 #include <vector>
 
 #include "frame/prepared.h"
 #include "frame/view.h"
 #include "frame/viewport.h"
-#include "math/vec.h"
+#include "math/unit.h"
 #include "raster/setup/mesh_corners.h"
 #include "scene/scene.h"
 
@@ -29,11 +28,7 @@ struct DrawObject {
 
   Vec3d world(const Vec3d& model) const { return linear * model + translation; }
   /// The mesh's normal of that number, in world space, length 1.
-  Vec3d world_normal(std::size_t number) const {
-    const Vec3d normal = normal_matrix * mesh->normals[number];
-    const double length = std::sqrt(dot(normal, normal));
-    return length > 0 ? normal / length : normal;
-  }
+  Vec3d world_normal(std::size_t number) const { return unit_or_zero(normal_matrix * mesh->normals[number]); }
   std::uint32_t material(const MeshTriangle& triangle) const {
     return materials[materials.size() == 1 ? 0 : triangle.material];
   }

@@ -47,10 +47,10 @@ Outlook look_at(const Sphere& sphere, const TessellationView& view) {
   outlook.view = &view;
   outlook.radius = sphere.radius;
   const Vec3d to_eye = view.eye - sphere.centre;
-  outlook.eye_distance = std::sqrt(dot(to_eye, to_eye));
+  outlook.eye_distance = length_of(to_eye);
   const bool orthographic = view.projection == Projection::orthographic;
   const Vec3d axis = orthographic || outlook.eye_distance == 0 ? -view.forward : to_eye;
-  outlook.axis = unit(axis);
+  outlook.axis = unit_of(axis);
   if (!orthographic && !outlook.eye_inside()) outlook.horizon = portable::acos(sphere.radius / outlook.eye_distance);
   if (orthographic) outlook.eye_distance = INFINITY;
   return outlook;
@@ -82,8 +82,7 @@ int ring_segments(const Outlook& outlook, const std::vector<double>& rings) {
 /// Two directions perpendicular to `axis` and to each other, so that side x other = axis.
 void perpendicular(const Vec3d& axis, Vec3d& side, Vec3d& other) {
   const Vec3d helper = std::abs(axis.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
-  side = cross(helper, axis);
-  side /= std::sqrt(dot(side, side));
+  side = unit_of(cross(helper, axis));
   other = cross(axis, side);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/unit.h"
 #include "scene/generate/bezier_patch.h"
 
 namespace ps::raster {
@@ -20,7 +21,7 @@ double undivided_error(const BezierPatch& patch, const TessellationView& view) {
       const double strays = (std::abs(bend.uu) + 2 * std::abs(bend.uv) + std::abs(bend.vv)) / 8;
       const Vec3d from_eye = bend.point - view.eye;
       const bool shrinks = view.projection == Projection::perspective;
-      const double distance = shrinks ? std::max(std::sqrt(dot(from_eye, from_eye)), view.nearest) : 1;
+      const double distance = shrinks ? std::max(length_of(from_eye), view.nearest) : 1;
       worst = std::max(worst, strays * view.pixels_per_unit / distance);
     }
   return worst * between_samples;

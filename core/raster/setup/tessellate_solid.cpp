@@ -130,8 +130,7 @@ int cylinder_segments(const FormFrame& f, const TessellationView& view) {
   if (view.projection == Projection::perspective) {
     const Vec3d middle = f.centre + f.axes[2] * (f.half.z / 2);
     const Vec3d offset = view.eye - middle;
-    distance = std::max(std::sqrt(dot(offset, offset)) - std::sqrt(f.half.x * f.half.x + f.half.z * f.half.z / 4),
-                        view.nearest);
+    distance = std::max(length_of(offset) - std::sqrt(f.half.x * f.half.x + f.half.z * f.half.z / 4), view.nearest);
   }
   const double sag = view.max_error / view.pixels_per_unit * distance / f.half.x;
   const double half_angle = portable::acos(std::max(1 - sag, 0.0));
@@ -206,7 +205,7 @@ void add_world_map_uvs(Mesh& mesh, const Vec3d& centre) {
     double highest = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3d offset = mesh.positions[triangle.position[k]] - centre;
-      uvs[k] = world_map_uv(unit(offset));
+      uvs[k] = world_map_uv(unit_of(offset));
       highest = std::max(highest, uvs[k].x);
     }
     for (std::size_t k = 0; k < 3; ++k) {

@@ -63,7 +63,7 @@ ShadowMap frame_around(const ShadowCasters& casters, const Light& light, int siz
   const Vec3d& forward = map.frame.forward;
   const Vec3d other = std::abs(forward.y) < 0.9 ? Vec3d(0, 1, 0) : Vec3d(0, 0, 1);
   const Vec3d right = cross(other, forward);
-  map.frame.right = unit(right);
+  map.frame.right = unit_of(right);
   map.frame.up = cross(forward, map.frame.right);
   // The square around them as the light sees them. Spheres are rounder than their triangles here.
   Vec3d low(1e300), high(-1e300);
@@ -156,7 +156,7 @@ ShadowCasters shadow_casters(const Scene& scene) {
     }
     casters.centre = (low + high) * 0.5;
     const Vec3d across = high - casters.centre;
-    casters.radius = std::max(std::sqrt(dot(across, across)), 1e-6);
+    casters.radius = std::max(length_of(across), 1e-6);
   }
   return casters;
 }

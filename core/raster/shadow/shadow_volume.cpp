@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/stop.h"
+#include "math/unit.h"
 #include "raster/shadow/shadow_map.h"
 
 namespace ps::raster {
@@ -125,14 +126,13 @@ class Extrusion {
   Extrusion(const Welded& welded, const Light& light, const ShadowVolumeOptions& options)
       : light_(light), length_(options.length) {
     if (light.kind == LightKind::directional) {
-      const double size = std::sqrt(dot(light.direction, light.direction));
-      shift_ = light.direction * (-options.length.value_or(options.reach) / size);
+      const Vec3d direction = float_direction(light.direction);
+      shift_ = direction * (-options.length.value_or(options.reach) / length_of(direction));
       return;
     }
     double nearest = options.reach;
     for (const Vec3d& p : welded.positions) {
-      const Vec3d away = p - light.position;
-      nearest = std::min(nearest, std::sqrt(dot(away, away)));
+      nearest = std::min(nearest, length_of(p - light.position));
     }
     factor_ = options.reach / std::max(nearest, options.reach * 1e-7);
   }
@@ -140,7 +140,7 @@ class Extrusion {
     if (light_.kind == LightKind::directional) return p + shift_;
     const Vec3d away = p - light_.position;
     if (!length_) return light_.position + away * factor_;
-    const double distance = std::sqrt(dot(away, away));
+    const double distance = length_of(away);
     return distance > 0 ? p + away * (*length_ / distance) : p;
   }
 

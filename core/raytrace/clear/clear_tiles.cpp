@@ -13,7 +13,9 @@ class ClearTiles final : public TileTracer {
 
   FastPath path() const override {
     if (inputs_.path.machinery == Machinery::clear) return inputs_.path;
-    return {Machinery::clear, SurfaceShading::single, "no triangle has an area"};
+    const bool spheres = inputs_.path.machinery == Machinery::sphere_packets;
+    return {Machinery::clear, SurfaceShading::single,
+            spheres ? "float cannot square a radius or the camera's axes" : "no triangle has an area"};
   }
 
   void trace(const TileRect& tile, const TileRect& part, Frame& frame, Counters& counters) const override {

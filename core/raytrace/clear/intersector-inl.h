@@ -47,6 +47,7 @@ template <class Real, class Recorder>
 Hit<Real> Intersector<Real, Recorder>::search(const Ray<Real>& ray, Find find) const {
   Hit<Real> best;
   best.t = ray.t_max;
+  if (!is_searchable(ray)) return best;
   Query query{ray};
   prepare(query);
   const bool cached = inputs_.settings.cache_constants;
@@ -160,6 +161,8 @@ template <class Real, class Recorder>
 SphereRoots<Real> Intersector<Real, Recorder>::sphere_roots(const Query& query, std::uint32_t index,
                                                             const TracedSphere<Real>& sphere) const {
   const Ray<Real>& ray = query.ray;
+  if (!has_exact_square(query.a) || !has_exact_square(sphere.radius * sphere.radius))
+    return roots_in_double(ray, index == ray.start, sphere);
   if (index == ray.start) return sphere_from_surface(ray.origin, ray.direction, query.a, sphere);
   switch (inputs_.settings.sphere_test) {
   case SphereTest::robust:
@@ -183,13 +186,51 @@ TriangleResult<Real> Intersector<Real, Recorder>::triangle_result(const Query& q
 }
 
 template <class Real, class Recorder>
+TriangleResult<Real> Intersector<Real, Recorder>::result_in_double(const Query& query,
+                                                                   const TracedTriangle<Real>& triangle) const {
+  const Ray<Real>& narrow = query.ray;
+  const Ray<double> ray{Vec3d(narrow.origin), Vec3d(narrow.direction), 0, 0, narrow.start};
+  const TracedTriangle<double> wide{Vec3d(triangle.a), Vec3d(triangle.b), Vec3d(triangle.c)};
+  const auto found = ps::triangle_result<double>(
+      inputs_.settings.triangle_test,
+      {ray, Shear<double>(ray.direction), static_cast<double>(inputs_.triangle_epsilon)}, wide);
+  TriangleResult<Real> result;
+  result.verdict = found.verdict;
+  result.t = static_cast<Real>(found.t);
+  for (std::size_t k = 0; k < 3; ++k) result.weights[k] = static_cast<Real>(found.weights[k]);
+  result.corner = found.corner;
+  return result;
+}
+
+template <class Real, class Recorder>
+SphereRoots<Real> Intersector<Real, Recorder>::roots_in_double(const Ray<Real>& narrow, bool starts,
+                                                               const TracedSphere<Real>& sphere) const {
+  const Vec3d origin(narrow.origin), direction(narrow.direction);
+  const TracedSphere<double> wide{Vec3d(sphere.centre), static_cast<double>(sphere.radius)};
+  const double a = dot(direction, direction);
+  SphereRoots<double> found;
+  if (starts)
+    found = sphere_from_surface(origin, direction, a, wide);
+  else if (inputs_.settings.sphere_test == SphereTest::robust)
+    found = sphere_robust(origin, direction, a, wide);
+  else
+    found = sphere_quadratic(origin, direction, a, wide);
+  const Real sign = found.discriminant < 0 ? Real(-1) : Real(1);  // its size may leave the range of float
+  return {std::isnan(found.discriminant) ? Real(-1) : sign, static_cast<Real>(found.near),
+          static_cast<Real>(found.far)};
+}
+
+template <class Real, class Recorder>
 bool Intersector<Real, Recorder>::test_triangle(const Query& query, std::uint32_t index, const Primitive& primitive,
                                                 Hit<Real>& best) const {
   TracedTriangle<Real> placed;
   const TracedTriangle<Real>& triangle = triangle_of(geometry_, primitive, placed);
   if (shares_meshes(geometry_) && !has_area(triangle)) return false;  // unfolding leaves it out
   recorder_.count(Counter::triangle_tests);
-  const TriangleResult<Real> result = triangle_result(query, index, triangle);
+  const bool in_double = primitive.in_double && index != query.ray.start &&
+                         (!shares_meshes(geometry_) || asks_for_double(triangle, geometry_.near_plane));
+  const TriangleResult<Real> result =
+      in_double ? result_in_double(query, triangle) : triangle_result(query, index, triangle);
   TestOutcome outcome = TestOutcome::missed;
   switch (result.verdict) {
   case TriangleVerdict::inside:

@@ -42,10 +42,7 @@ class Intersector final : public RaySearch<Real> {
     return {ray.origin, ray.direction, inputs_.box_padding * reach(ray), naive ? SlabForm::naive : SlabForm::robust};
   }
   /// The largest coordinate, of the scene or of the ray's origin.
-  Real reach(const Ray<Real>& ray) const {
-    const Vec3<Real>& o = ray.origin;
-    return std::max({geometry_.reach, std::abs(o.x), std::abs(o.y), std::abs(o.z)});
-  }
+  Real reach(const Ray<Real>& ray) const { return std::max(geometry_.reach, largest_component(ray.origin)); }
 
  private:
   enum class Find { nearest, any };
@@ -64,6 +61,10 @@ class Intersector final : public RaySearch<Real> {
   SphereRoots<Real> sphere_roots(const Query& query, std::uint32_t index, const TracedSphere<Real>& sphere) const;
   TriangleResult<Real> triangle_result(const Query& query, std::uint32_t index,
                                        const TracedTriangle<Real>& triangle) const;
+  /// For a triangle that asks_for_double() and on which the ray does not start.
+  TriangleResult<Real> result_in_double(const Query& query, const TracedTriangle<Real>& triangle) const;
+  /// For a sphere or a ray whose squares leave the range of Real. Of the discriminant only its sign is given.
+  SphereRoots<Real> roots_in_double(const Ray<Real>& ray, bool starts, const TracedSphere<Real>& sphere) const;
   LineSpan<Real> span_of(const Query& query, std::uint32_t index, const TracedSolid& solid, std::size_t part) const;
   /// A form on its own has up to two crossings, of which flat ones keep only the finite one.
   Crossings<Real> crossings_of(const Query& query, std::uint32_t index, const TracedSolid& solid) const;

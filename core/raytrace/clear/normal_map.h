@@ -3,6 +3,7 @@
 #include <numbers>
 #include <optional>
 
+#include "math/unit.h"
 #include "raytrace/clear/surface.h"
 #include "shade/normal_mapping.h"
 
@@ -45,9 +46,9 @@ inline TangentFrame<Real> form_relief_tangents(const TracedForm<Real>& form, int
   TangentFrame<Real> frame = form_tangents(form, face, p);
   switch (form.kind) {
   case FormKind::ball: {  // east is as long as the circle of latitude is wide; both grow short towards the poles
-    const Real north = length(frame.upwards);
+    const Real north = length_of(frame.upwards);
     if (!(north > 0)) return {};
-    return {frame.along_u * (2 * pi / length(p)), frame.upwards * (pi / north)};
+    return {frame.along_u * (2 * pi / length_of(p)), frame.upwards * (pi / north)};
   }
   case FormKind::plane:
     return frame;

@@ -1,4 +1,5 @@
 #pragma once
+#include "math/unit.h"
 #include "raytrace/clear/surface.h"
 
 namespace ps {
@@ -57,7 +58,7 @@ inline Ray<Real> leaving_ray(const Surface<Real>& surface, const Vec3<Real>& dir
       ray.t_min = epsilon;
       break;
     case EpsilonUnit::distance:
-      ray.t_min = epsilon / length(direction);
+      ray.t_min = epsilon / length_of(direction);
       break;
     }
     break;

@@ -26,6 +26,12 @@ struct Surface {
   bool back_face = false;
 };
 
+/// `normal`; where the point that was hit lies right in the centre, so that it has no direction, one towards the ray.
+template <class Real>
+inline Vec3<Real> normal_towards(const Ray<Real>& ray, const Vec3<Real>& normal) {
+  return has_nan(normal) ? normalised(-ray.direction) : normal;
+}
+
 /// A point of a sphere: the ray's point, and the direction from the centre (CGFS ch. 3).
 template <class Real>
 inline Surface<Real> sphere_surface(const Ray<Real>& ray, const Hit<Real>& hit, const TracedSphere<Real>& sphere,
@@ -34,7 +40,7 @@ inline Surface<Real> sphere_surface(const Ray<Real>& ray, const Hit<Real>& hit, 
   surface.primitive = hit.primitive;
   surface.detail = hit.detail;
   surface.point = ray.origin + ray.direction * hit.t;
-  surface.geometric_normal = normalised(surface.point - sphere.centre);
+  surface.geometric_normal = normal_towards(ray, normalised(surface.point - sphere.centre));
   surface.shading_normal = surface.geometric_normal;
   surface.back_face = dot(ray.direction, surface.geometric_normal) > 0;
   surface.has_uv = has_uv;
@@ -49,7 +55,8 @@ inline Value blend(const std::array<Real, 3>& weights, const Value& a, const Val
 }
 
 /// A point of a triangle from its barycentric weights, which puts it nearer to the plane than origin + t * direction
-/// does; the error bound is pbrt's (6.8).
+/// does; the error bound is pbrt's (6.8). Of a triangle that is tested in double, whose weights float rounds too
+/// coarsely, it is the ray's point.
 template <class Real>
 inline void put_triangle_surface(const Ray<Real>& ray, const Hit<Real>& hit, const TracedGeometry<Real>& geometry,
                                  const Primitive& primitive, const TracedTriangle<Real>& triangle,
@@ -57,12 +64,14 @@ inline void put_triangle_surface(const Ray<Real>& ray, const Hit<Real>& hit, con
   surface = {};
   surface.primitive = hit.primitive;
   const auto& w = hit.weights;
-  surface.point = blend(w, triangle.a, triangle.b, triangle.c);
+  const bool in_double = primitive.in_double && asks_for_double(triangle, geometry.near_plane);
+  surface.point = in_double ? ray.origin + ray.direction * hit.t : blend(w, triangle.a, triangle.b, triangle.c);
   for (int axis = 0; axis < 3; ++axis)
     surface.point_error[axis] =
-        rounding_bound<Real>(7) *
-        (std::abs(w[0] * triangle.a[axis]) + std::abs(w[1] * triangle.b[axis]) + std::abs(w[2] * triangle.c[axis]));
-  surface.geometric_normal = normalised(cross(triangle.b - triangle.a, triangle.c - triangle.a));
+        in_double ? rounding_bound<Real>(3) * (std::abs(ray.origin[axis]) + std::abs(ray.direction[axis] * hit.t))
+                  : rounding_bound<Real>(7) * (std::abs(w[0] * triangle.a[axis]) + std::abs(w[1] * triangle.b[axis]) +
+                                               std::abs(w[2] * triangle.c[axis]));
+  surface.geometric_normal = normalised(triangle_normal(triangle.a, triangle.b, triangle.c));
   if (primitive.mirrored) surface.geometric_normal = -surface.geometric_normal;
   surface.shading_normal = surface.geometric_normal;
   surface.back_face = dot(ray.direction, surface.geometric_normal) > 0;
@@ -131,7 +140,7 @@ inline Surface<Real> solid_surface(const Ray<Real>& ray, const Hit<Real>& hit, c
   surface.point = ray.origin + ray.direction * hit.t;
   const TracedPlace<Real>* place = form.place < 0 ? nullptr : &geometry.places[static_cast<std::size_t>(form.place)];
   const Vec3<Real> p = (place ? place->point(surface.point) : surface.point) - form.centre;
-  surface.geometric_normal = form_normal(form, face, p);
+  surface.geometric_normal = normal_towards(ray, form_normal(form, face, p));
   if (place) surface.geometric_normal = normalised(place->normal_to_world(surface.geometric_normal));
   const bool flat = solid.steps == 0 && (form.kind == FormKind::plane || form.kind == FormKind::rectangle);
   if (flat ? dot(ray.direction, surface.geometric_normal) > 0 : detail_turned(hit.detail))

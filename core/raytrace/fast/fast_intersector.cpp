@@ -6,12 +6,12 @@
 namespace ps {
 
 Hit<float> FastIntersector::nearest(const Ray<float>& ray) const {
-  const float reach = clear_.reach(ray);
+  const float reach = reach_of(ray);
   return suits(ray, reach) ? find<Find::nearest>(ray, reach) : clear_.nearest(ray);
 }
 
 Hit<float> FastIntersector::any(const Ray<float>& ray) const {
-  const float reach = clear_.reach(ray);
+  const float reach = reach_of(ray);
   return suits(ray, reach) ? find<Find::any>(ray, reach) : clear_.any(ray);
 }
 
@@ -88,7 +88,7 @@ bool FastIntersector::put_side_by_side(std::span<const Ray<float>> rays, WidePac
   packet.triangle_epsilon = inputs_.triangle_epsilon;
   for (std::size_t lane = 0; lane < packet_width; ++lane) {
     const Ray<float>& ray = rays[std::min(lane, rays.size() - 1)];
-    const float reach = clear_.reach(ray);
+    const float reach = reach_of(ray);
     if (!suits_tree(ray, reach)) return false;
     for (int axis = 0; axis < 3; ++axis) {
       packet.origin[static_cast<std::size_t>(axis)][lane] = ray.origin[axis];
@@ -126,7 +126,7 @@ void FastIntersector::nearest_others(std::span<const Ray<float>> rays, const Wid
                                      std::span<Hit<float>> hits) const {
   const Bvh<float>& others = wide_.wide->others;
   unsigned perhaps = others.nodes.empty() ? 0u : wide_.packets.meets(others.nodes[0].box, packet);
-  if (!geometry_.unbounded.empty()) perhaps = ~0u;
+  if (!geometry_.unbounded.empty() || geometry_.some_in_double) perhaps = ~0u;  // the packet's pad is for float
   for (std::size_t i = 0; i < rays.size(); ++i) {
     hits[i] = {};
     hits[i].t = rays[i].t_max;

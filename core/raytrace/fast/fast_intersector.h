@@ -23,7 +23,9 @@ class FastIntersector final : public RaySearch<float> {
   using Query = Intersector<float, CountingRecorder>::Query;
   enum class Find { nearest, any };
 
-  /// Of a ray that suits(), whose reach(ray) of the clear path this is. One function for each of the two, and one
+  /// Intersector::reach() of what the wide trees hold.
+  float reach_of(const Ray<float>& ray) const { return std::max(geometry_.float_reach, largest_component(ray.origin)); }
+  /// Of a ray that suits(), whose reach_of() this is. One function for each of the two, and one
   /// variable that it returns: what is done for each ray counts.
   template <Find what>
   Hit<float> find(const Ray<float>& ray, float reach) const;
@@ -47,13 +49,14 @@ class FastIntersector final : public RaySearch<float> {
   /// For each ray of a packet the nearest primitive that is not a triangle.
   void nearest_others(std::span<const Ray<float>> rays, const WidePacket& packet, std::span<Hit<float>> hits) const;
 
-  /// The arithmetic of the wide tree's boxes must not overflow: no direction that is tiny beside the ray's reach, no
-  /// NaN.
+  /// The arithmetic of the wide tree's boxes must not overflow: no direction that is tiny beside the ray's reach.
   static bool suits_tree(const Ray<float>& ray, float reach) {
     const Vec3f& d = ray.direction;
-    return reach < 1e15f * std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+    return is_searchable(ray) && reach < 1e15f * std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
   }
-  bool suits(const Ray<float>& ray, float reach) const { return !wide_.wide || suits_tree(ray, reach); }
+  bool suits(const Ray<float>& ray, float reach) const {
+    return wide_.wide ? suits_tree(ray, reach) : is_searchable(ray);
+  }
   void count(const WideCount& work) const {
     recorder_.count(Counter::node_visits, work.nodes);
     recorder_.count(Counter::triangle_tests, work.triangles);

@@ -58,7 +58,10 @@ HWY_INLINE PacketSurface surface_of(const PacketScene& scene, const PacketRay& r
     if (sphere.specular) surface.specular = hn::Or(surface.specular, here);
   }
   const V3 outwards = subtract(surface.point, centre);
-  surface.normal = scale(outwards, hn::Div(splat(1), length(outwards)));
+  surface.normal = normalised(outwards);
+  const M centred = hn::Eq(dot(outwards, outwards), hn::Zero(d));
+  if (HWY_UNLIKELY(!hn::AllFalse(d, centred)))  // normal_towards()
+    surface.normal = choose(hn::And(centred, hn::IsNaN(surface.normal.x)), normalised(surface.to_eye), surface.normal);
   return surface;
 }
 
@@ -106,7 +109,7 @@ HWY_INLINE V3 light_at(const PacketScene& scene, const PacketSurface& surface, V
   const LitLanes<D> points{surface.point,
                            surface.normal,
                            surface.to_eye,
-                           length(surface.normal),
+                           length_of(surface.normal),
                            scene.highlights ? surface.specular : no_lane(),
                            surface.exponent,
                            surface.faint,

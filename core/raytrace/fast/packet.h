@@ -41,6 +41,9 @@ struct PacketScene {
   int step = 1;              ///< of subsampling, in pixels; 1 = each pixel is searched for
 };
 
+/// Do the squares of all its numbers keep their digits? Packets have no other way.
+bool suits_packets(const TraceInputs<float>& inputs);
+
 /// The scene for the fast path; only where traced_fast_path() allows it.
 PacketScene packet_scene(const TraceInputs<float>& inputs);
 

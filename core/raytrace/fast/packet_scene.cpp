@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include "base/check.h"
+#include "math/unit.h"
 #include "raytrace/fast/packet.h"
 #include "raytrace/fast/plain_material.h"
 #include "raytrace/sampling/plan.h"
@@ -27,6 +30,14 @@ PacketSphere packet_sphere(const PixelId& id, const TracedSphere<float>& sphere,
 }
 
 }  // namespace
+
+bool suits_packets(const TraceInputs<float>& inputs) {
+  const auto suits = [](float square) { return has_exact_square(square); };
+  return suits(dot(inputs.right, inputs.right)) && suits(dot(inputs.up, inputs.up)) &&
+         suits(dot(inputs.forward, inputs.forward)) &&
+         std::all_of(inputs.geometry->spheres.begin(), inputs.geometry->spheres.end(),
+                     [&](const TracedSphere<float>& sphere) { return suits(sphere.radius * sphere.radius); });
+}
 
 PacketScene packet_scene(const TraceInputs<float>& inputs) {
   PS_ASSERT(inputs.path.machinery == Machinery::sphere_packets, "traced_fast_path() decides what packets draw");

@@ -31,7 +31,7 @@ void PacketShader::shade(std::span<const Ray<float>> rays, std::span<const Hit<f
 bool PacketShader::put_lane(std::size_t lane, const Ray<float>& ray, const Hit<float>& hit) {
   const TracedGeometry<float>& geometry = *inputs_.geometry;
   const Primitive& primitive = geometry.primitives[hit.primitive];
-  if (primitive.kind != PrimitiveKind::triangle || tables_.plain[primitive.material] == 0) return false;
+  if (!is_float_triangle(primitive) || tables_.plain[primitive.material] == 0) return false;
   const std::int32_t attributes = geometry.triangles[primitive.shape].attributes;
   const bool smooth = attributes >= 0 && inputs_.settings.normals == Normals::vertex &&
                       geometry.attributes[static_cast<std::size_t>(attributes)].has_normals;

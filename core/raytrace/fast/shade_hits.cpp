@@ -47,7 +47,22 @@ HWY_INLINE P blended(const P& a, const P& b, const P& c, const P& weights) {
   return add(add(scale(a, weights.x), scale(b, weights.y)), scale(c, weights.z));
 }
 
-HWY_INLINE P unit_of(const P& v) { return scale(v, hn::Div(hn::Set(D(), 1.0f), length(v))); }
+/// triangle_normal(), which is asked itself for the few whose square float does not hold.
+HWY_INLINE P triangle_normals(const P& a, const P& b, const P& c) {
+  const D d;
+  const P normal = cross(subtract(b, a), subtract(c, a));
+  if (HWY_LIKELY(factors_for_squares<D>(dot(normal, normal)).all_one)) return normal;
+  alignas(32) std::array<HitPacket::Lanes, 3> corners[3], normals;
+  store(a, corners[0]);
+  store(b, corners[1]);
+  store(c, corners[2]);
+  for (std::size_t i = 0; i < packet_width; ++i) {
+    const auto corner = [&](const std::array<HitPacket::Lanes, 3>& of) { return Vec3f(of[0][i], of[1][i], of[2][i]); };
+    const Vec3f own = triangle_normal(corner(corners[0]), corner(corners[1]), corner(corners[2]));
+    for (std::size_t axis = 0; axis < 3; ++axis) normals[axis][i] = own[static_cast<int>(axis)];
+  }
+  return load(normals);
+}
 
 /// put_triangle_surface(), as far as shading needs it.
 void place(const HitTables& tables, HitPacket& packet) {
@@ -66,12 +81,12 @@ void place(const HitTables& tables, HitPacket& packet) {
     const auto row = hn::Mul(hn::Max(attributes, hn::Zero(i)), hn::Set(i, 16));
     const P corners = blended(gather(tables.attributes, row, 0), gather(tables.attributes, row, 3),
                               gather(tables.attributes, row, 6), weights);
-    const P unit = unit_of(corners);
+    const P unit = normalised(corners);
     usable = hn::And(carried, hn::Gt(dot(unit, unit), hn::Zero(d)));
     normal = tables.renormalise ? unit : corners;
   }
   if (!hn::AllTrue(d, usable)) {
-    const P face = scale(unit_of(cross(subtract(b, a), subtract(c, a))), hn::Load(d, packet.sense.data()));
+    const P face = scale(normalised(triangle_normals(a, b, c)), hn::Load(d, packet.sense.data()));
     normal = choose(usable, normal, face);
   }
   store(normal, packet.normal);
@@ -84,7 +99,7 @@ HWY_INLINE P light_at(const HitTables& tables, const std::vector<unsigned>& bloc
   const V zero = hn::Zero(d);
   P sum{zero, zero, zero};
   const P normal = load(packet.normal);
-  const LitLanes<D> points{load(packet.point), normal, load(packet.to_eye), length(normal), specular,
+  const LitLanes<D> points{load(packet.point), normal, load(packet.to_eye), length_of(normal), specular,
                            exponent,           faint,  tables.highlight};
   for (std::size_t k = 0; k < tables.lights.size(); ++k) {
     const ShadingLight<float>& light = tables.lights[k];

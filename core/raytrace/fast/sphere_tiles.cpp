@@ -36,6 +36,7 @@ class SphereTiles final : public TileTracer {
 }  // namespace
 
 std::unique_ptr<TileTracer> sphere_tiles(const TraceInputs<float>& inputs, const SamplingPlan& plan) {
+  if (!suits_packets(inputs)) return nullptr;
   return std::make_unique<SphereTiles>(inputs, plan);
 }
 

@@ -26,15 +26,15 @@ Bvh<float> tree_over(const TracedGeometry<float>& geometry, const std::vector<st
 std::shared_ptr<const WideGeometry> wide_geometry(const Scene& scene, const TracedGeometry<float>& geometry,
                                                   Prepared& prepared) {
   Key key("wide geometry");
-  key.add(scene.geometry.revision());
+  key.add(scene.geometry.revision()).add(geometry.near_plane);
   return prepared.get<WideGeometry>(key, [&] {
     const auto triangle = [&](std::uint32_t primitive) { return wide_triangle(geometry, primitive); };
-    if (geometry.triangles.size() == geometry.primitives.size())  // the tree that is there anyway
+    if (only_float_triangles(geometry))  // the tree that is there anyway
       return WideGeometry{widen(*traced_bvh<float>(scene, geometry, prepared), triangle), {}};
     std::vector<std::uint32_t> triangles, others;
     for (std::uint32_t k = 0; k < bounded_count(geometry); ++k) {
       const std::uint32_t i = bounded_primitive(geometry, k);
-      (geometry.primitives[i].kind == PrimitiveKind::triangle ? triangles : others).push_back(i);
+      (is_float_triangle(geometry.primitives[i]) ? triangles : others).push_back(i);
     }
     return WideGeometry{widen(tree_over(geometry, triangles), triangle), tree_over(geometry, others)};
   });
@@ -45,16 +45,17 @@ std::shared_ptr<const WideGeometry> wide_octree_geometry(const Scene& scene, con
                                                          Prepared& prepared) {
   Key key("wide octree");
   key.add(scene.geometry.revision())
+      .add(geometry.near_plane)
       .add(static_cast<std::uint64_t>(settings.octree_leaf))
       .add(static_cast<std::uint64_t>(settings.octree_depth));
   return prepared.get<WideGeometry>(key, [&] {
     std::vector<std::uint32_t> others;
     for (std::uint32_t k = 0; k < bounded_count(geometry); ++k) {
       const std::uint32_t i = bounded_primitive(geometry, k);
-      if (geometry.primitives[i].kind != PrimitiveKind::triangle) others.push_back(i);
+      if (!is_float_triangle(geometry.primitives[i])) others.push_back(i);
     }
     const auto triangle = [&](std::uint32_t primitive) -> std::optional<WideTriangle> {
-      if (geometry.primitives[primitive].kind != PrimitiveKind::triangle) return {};
+      if (!is_float_triangle(geometry.primitives[primitive])) return {};
       return wide_triangle(geometry, primitive);
     };
     return WideGeometry{widen_octree(octree, triangle), tree_over(geometry, others)};
@@ -64,13 +65,13 @@ std::shared_ptr<const WideGeometry> wide_octree_geometry(const Scene& scene, con
 std::shared_ptr<const ListGeometry> list_geometry(const Scene& scene, const TracedGeometry<float>& geometry,
                                                   Prepared& prepared) {
   Key key("list geometry");
-  key.add(scene.geometry.revision());
+  key.add(scene.geometry.revision()).add(geometry.near_plane);
   return prepared.get<ListGeometry>(key, [&] {
     ListGeometry list;
     std::size_t triangles = 0;
     for (std::uint32_t i = 0; i < geometry.primitives.size(); ++i) {
       if (i % 4096 == 0) check_stop();
-      if (geometry.primitives[i].kind != PrimitiveKind::triangle) {
+      if (!is_float_triangle(geometry.primitives[i])) {
         list.others.push_back(i);
         continue;
       }

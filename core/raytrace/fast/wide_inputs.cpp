@@ -13,7 +13,7 @@ std::optional<WideInputs> wide_inputs(const Scene& scene, const TraceInputs<floa
   const std::optional<SimdTriangleTest> test = row_of(settings.triangle_test).simd;
   PS_ASSERT(test.has_value(), "traced_fast_path() lets no other test through");
   WideInputs wide;
-  wide.only_triangles = geometry.triangles.size() == geometry.primitives.size();
+  wide.only_triangles = only_float_triangles(geometry);
   wide.searches = wide_searches(settings.simd, *test);
   wide.packets = packet_searches(settings.simd, *test);
   if (!wide.searches.nearest) return {};

@@ -80,7 +80,7 @@ Vec3d patch_normal(const BezierPatch& patch, PatchParameter u, PatchParameter v)
   };
   Vec3d normal = normal_at(value(u), value(v));
   if (dot(normal, normal) < 1e-20) normal = normal_at(inside(value(u)), inside(value(v)));
-  return unit(normal);
+  return unit_of(normal);
 }
 
 PatchBend patch_bend(const BezierPatch& patch, PatchParameter u, PatchParameter v) {

@@ -61,13 +61,13 @@ class Lattice {
 
   void add(const glm::ivec3& point) {
     const Vec3d on_cube{warp(point.x), warp(point.y), warp(point.z)};
-    const Vec3d direction = unit(on_cube);
+    const Vec3d direction = unit_of(on_cube);
     const Radius radius = radius_in(direction, options_.amplitude);
     mesh_.positions.push_back(radius.value * direction);
     // The surface is where |p| = radius(p / |p|); the normal is the gradient of the difference.
     const Vec3d along = radius.gradient - dot(radius.gradient, direction) * direction;
     const Vec3d normal = direction - along / radius.value;
-    mesh_.normals.push_back(unit(normal));
+    mesh_.normals.push_back(unit_of(normal));
   }
 
   Mesh& mesh_;

@@ -43,13 +43,13 @@ Mesh make_torus_knot(const TorusKnotOptions& options) {
     const double t = 2 * std::numbers::pi * i / segments;
     // The Frenet frame: the line is curved everywhere, so it turns smoothly and closes.
     const auto [first, second] = derivatives(options, t);
-    const Vec3d tangent = unit(first);
-    const Vec3d binormal = unit(cross(first, second));
+    const Vec3d tangent = unit_of(first);
+    const Vec3d binormal = unit_of(cross(first, second));
     const Vec3d inward = cross(binormal, tangent);
     const Vec3d middle = torus_knot_line(options, t);
     for (int j = 0; j < sides; ++j) {
       const double angle = 2 * std::numbers::pi * j / sides;
-      const Vec3d normal = unit(portable::cos(angle) * inward + portable::sin(angle) * binormal);
+      const Vec3d normal = unit_of(portable::cos(angle) * inward + portable::sin(angle) * binormal);
       mesh.normals.push_back(normal);
       mesh.positions.push_back(middle + options.tube_radius * normal);
     }

@@ -6,11 +6,11 @@ namespace {
 
 /// The right vector of a camera at `eye` that looks at `target`, in float.
 Vec3f right_of(const Vec3f& eye, const Vec3f& target, bool pick_another) {
-  const Vec3f forward = unit(target - eye);
+  const Vec3f forward = unit_of(target - eye);
   Vec3f up(0, 1, 0);
   const Vec3f across = cross(up, forward);
   if (pick_another && dot(across, across) < 1e-6f) up = Vec3f(0, 0, 1);
-  return unit(cross(up, forward));
+  return unit_of(cross(up, forward));
 }
 
 std::vector<StabilityRow> measure(const StabilityRun& run) {
@@ -29,7 +29,7 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
         const Vec3d got(right_of(Vec3f(eye), Vec3f(target), pick_another));
         // Against the same choice made without rounding.
         const bool other = pick_another && std::sin(angle) < 1e-3;
-        const Vec3d exact = unit(cross(other ? Vec3d(0, 0, 1) : Vec3d(0, 1, 0), forward));
+        const Vec3d exact = unit_of(cross(other ? Vec3d(0, 0, 1) : Vec3d(0, 1, 0), forward));
         const Vec3d off = cross(got, exact);
         return std::atan2(std::sqrt(dot(off, off)), dot(got, exact)) * 180 / pi;
       };

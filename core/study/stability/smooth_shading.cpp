@@ -45,7 +45,8 @@ std::vector<StabilityRow> measure_unnormalised(const StabilityRun& run) {
   }
   for (const double degrees : {0.0, 5.0, 10.0, 20.0, 30.0, 60.0, 90.0}) {
     const double angle = degrees * pi / 180;
-    const Vec3d a(0, 0, 1), b(std::sin(angle), 0, std::cos(angle)), middle = (a + b) * 0.5, brought_back = unit(middle);
+    const Vec3d a(0, 0, 1), b(std::sin(angle), 0, std::cos(angle)), middle = (a + b) * 0.5,
+                                                                    brought_back = unit_of(middle);
     const double length = std::sqrt(dot(middle, middle));
     rows.push_back(
         {degrees, "half-way between two vertices", length, std::sqrt(dot(brought_back, brought_back)), "length"});
