@@ -34,6 +34,7 @@ struct Context {
   const std::uint32_t* primitives;
   void* data;
   bool (*visit)(void* data, const EmbreeCandidate& candidate);
+  float scale;  ///< of the query's direction
 };
 
 void filter(const RTCFilterFunctionNArguments* arguments) {
@@ -42,7 +43,7 @@ void filter(const RTCFilterFunctionNArguments* arguments) {
     if (arguments->valid[i] == 0) continue;
     const float u = RTCHitN_u(arguments->hit, arguments->N, i), v = RTCHitN_v(arguments->hit, arguments->N, i);
     const EmbreeCandidate candidate{context.primitives[RTCHitN_primID(arguments->hit, arguments->N, i)],
-                                    RTCRayN_tfar(arguments->ray, arguments->N, i),
+                                    RTCRayN_tfar(arguments->ray, arguments->N, i) * context.scale,
                                     {1 - u - v, u, v}};
     if (!context.visit(context.data, candidate)) arguments->valid[i] = 0;
   }
@@ -155,16 +156,21 @@ void EmbreeTriangles::search(const Ray<float>& ray, float limit, bool any, const
   context.primitives = content_->primitives.data();
   context.data = visitor.data;
   context.visit = visitor.visit;
+  // Embree takes numbers up to 1.8e18.
+  constexpr float largest = 1e18f;
+  if (!(largest_component(ray.origin) < largest)) return;
+  context.scale = largest_component(ray.direction) < largest ? 1.0f : 0x1p-80f;
   constexpr float slack = 1e-5f;  // t comes from other arithmetic; the visitor knows the true range
   RTCRayHit query{};
   query.ray.org_x = ray.origin.x;
   query.ray.org_y = ray.origin.y;
   query.ray.org_z = ray.origin.z;
-  query.ray.dir_x = ray.direction.x;
-  query.ray.dir_y = ray.direction.y;
-  query.ray.dir_z = ray.direction.z;
-  query.ray.tnear = std::max(0.0f, ray.t_min - slack * std::abs(ray.t_min));
-  query.ray.tfar = limit + slack * std::abs(limit);
+  query.ray.dir_x = ray.direction.x * context.scale;
+  query.ray.dir_y = ray.direction.y * context.scale;
+  query.ray.dir_z = ray.direction.z * context.scale;
+  query.ray.tnear = std::max(0.0f, ray.t_min - slack * std::abs(ray.t_min)) / context.scale;
+  query.ray.tfar = (limit + slack * std::abs(limit)) / context.scale;
+  if (!(query.ray.tnear <= query.ray.tfar)) return;
   query.ray.mask = 0xffffffffu;
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;

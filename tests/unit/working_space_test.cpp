@@ -217,5 +217,54 @@ TEST(WorkingSpace, GroundsReachToTheHorizon) {
   }
 }
 
+/// A white quad before the eye, under ambient light and one more.
+Scene lit_quad(const std::string& more) {
+  return parse_scene(
+      "camera { position = (0,0,3) right = (1,0,0) up = (0,1,0) forward = (0,0,-1) } model { name = q color = white "
+      "vertices { (-1,-1,0) (1,-1,0) (1,1,0) (-1,1,0) } triangles { (0,1,2,white) (0,2,3,white) } } "
+      "instance { model = q } light { type = ambient intensity = 0.2 } " +
+          more,
+      "quad.scene", ".");
+}
+
+TEST(ExtremeNumbers, ALightRightBeforeASurfaceLightsIt) {
+  // 0.2 + 0.8, since the light stands upright on the surface.
+  for (const char* distance : {"1", "1e-12", "1e-20", "1e-25", "1e-36"})
+    for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer})
+      for (const Simd simd : {Simd::automatic, Simd::off})
+        for (const Highlight highlight : {Highlight::phong, Highlight::blinn_phong}) {
+          const Scene scene =
+              lit_quad(fmt::format("light {{ type = point intensity = 0.8 position = (0,0,{}) }}", distance));
+          Settings settings;
+          settings.renderer = renderer;
+          settings.simd = simd;
+          settings.highlight = highlight;
+          settings.shadows = renderer == Renderer::ray_tracer ? Shadows::traced : Shadows::none;
+          const Frame frame = render(scene, {scene.camera, 33, 33}, settings);
+          EXPECT_NEAR(frame.colour.at(16, 16).x, 1, 1e-5) << distance << " " << static_cast<int>(renderer);
+        }
+}
+
+TEST(ExtremeNumbers, ASliverBesideAQuadLeavesNoTraceAndNoHole) {
+  const std::string sun = "light { type = directional intensity = 0.7 direction = (1,1.5,2) } ";
+  for (const Accelerator accelerator :
+       {Accelerator::bvh, Accelerator::octree, Accelerator::none, Accelerator::two_level})
+    for (const Simd simd : {Simd::automatic, Simd::sse4, Simd::avx2, Simd::off}) {
+      Settings settings;
+      settings.accelerator = accelerator;
+      settings.simd = simd;
+      const auto picture = [&](const Scene& scene) { return render(scene, {scene.camera, 65, 65}, settings).colour; };
+      const Image<Vec3f> wanted = picture(lit_quad(sun));
+      for (const char* size : {"1e-10", "1e-13", "1e-16", "1e-19", "1e-25", "1e-36"}) {
+        const Scene scene = lit_quad(
+            sun +
+            fmt::format("model {{ name = s color = white vertices {{ (-{0},-{0},{0}) ({0},-{0},{0}) (0,{0},{0}) }} "
+                        "triangles {{ (0,1,2,white) }} }} instance {{ model = s }}",
+                        size));
+        EXPECT_EQ(picture(scene).pixels(), wanted.pixels()) << size << " " << static_cast<int>(accelerator);
+      }
+    }
+}
+
 }  // namespace
 }  // namespace working_space_test

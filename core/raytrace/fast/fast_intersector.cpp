@@ -21,9 +21,9 @@ void FastIntersector::nearest_of_each(std::span<const Ray<float>> rays, std::spa
     const std::size_t count = std::min(packet_width, rays.size() - first);
     const auto some = rays.subspan(first, count);
     const auto found = hits.subspan(first, count);
-    if (wide_.list)
+    if (wide_.list && std::all_of(some.begin(), some.end(), is_searchable<float>))
       search_list_together(some, found);
-    else if (put_side_by_side(some, packet))
+    else if (wide_.wide && put_side_by_side(some, packet))
       search_tree_together(some, packet, found);
     else
       for (std::size_t i = 0; i < count; ++i) found[i] = nearest(some[i]);
