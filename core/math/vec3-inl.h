@@ -74,7 +74,7 @@ HWY_INLINE LaneFactors<D> factors_for_squares(hn::Vec<D> square) {
   return {hn::IfThenElse(small, hn::Set(d, Squares::up), hn::IfThenElse(large, hn::Set(d, Squares::down), one)), false};
 }
 
-// length_of(), unit_of() and normalised() of math/unit.h.
+// length_of(), unit_of(), unit_or_zero() and normalised() of math/unit.h.
 template <class D>
 HWY_INLINE hn::Vec<D> length_of(const Vec3Lanes<D>& a) {
   const hn::Vec<D> square = dot(a, a);
@@ -91,6 +91,20 @@ HWY_INLINE Vec3Lanes<D> unit_of(const Vec3Lanes<D>& a) {
   const Vec3Lanes<D> near_one = scale(a, factors.factor);
   return divide(near_one, hn::Sqrt(dot(near_one, near_one)));
 }
+/// Lane by lane.
+template <class D>
+HWY_INLINE Vec3Lanes<D> choose(hn::Mask<D> mask, const Vec3Lanes<D>& yes, const Vec3Lanes<D>& no) {
+  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
+}
+template <class D>
+HWY_INLINE Vec3Lanes<D> unit_or_zero(const Vec3Lanes<D>& a) {
+  const hn::Vec<D> square = dot(a, a);
+  const LaneFactors<D> factors = factors_for_squares<D>(square);
+  if (HWY_LIKELY(factors.all_one)) return divide(a, hn::Sqrt(square));
+  const Vec3Lanes<D> near_one = scale(a, factors.factor);
+  const hn::Vec<D> size = hn::Sqrt(dot(near_one, near_one));
+  return choose(hn::Gt(size, hn::Zero(D())), divide(near_one, size), a);
+}
 template <class D>
 HWY_INLINE Vec3Lanes<D> normalised(const Vec3Lanes<D>& a) {
   const D d;
@@ -99,12 +113,6 @@ HWY_INLINE Vec3Lanes<D> normalised(const Vec3Lanes<D>& a) {
   if (HWY_LIKELY(factors.all_one)) return scale(a, hn::Div(hn::Set(d, 1), hn::Sqrt(square)));
   const Vec3Lanes<D> near_one = scale(a, factors.factor);
   return scale(near_one, hn::Div(hn::Set(d, 1), hn::Sqrt(dot(near_one, near_one))));
-}
-
-/// Lane by lane.
-template <class D>
-HWY_INLINE Vec3Lanes<D> choose(hn::Mask<D> mask, const Vec3Lanes<D>& yes, const Vec3Lanes<D>& no) {
-  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
 }
 
 }  // namespace ps::HWY_NAMESPACE

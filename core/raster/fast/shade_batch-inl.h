@@ -60,9 +60,7 @@ HWY_INLINE V3 light_of_equation(const BatchShading& shading, const Source& sourc
   if (shading.normal >= 0) normal = source.vector(shading.normal);
   V3 position{zero, zero, zero};
   if (shading.position >= 0) position = source.vector(shading.position);
-  if (shading.renormalise) {
-    normal = choose(hn::Gt(length_of(normal), zero), unit_of(normal), normal);
-  }
+  if (shading.renormalise) normal = unit_or_zero(normal);
   const M all = hn::Eq(zero, zero);
   const M specular = shading.specular ? all : hn::Not(all);
   const ps::HWY_NAMESPACE::LitLanes<D> points{position,

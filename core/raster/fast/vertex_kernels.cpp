@@ -52,7 +52,7 @@ struct Floats {
 /// matrix * normal, length 1 (unless it has none).
 HWY_INLINE Floats unit_normals(const Mat3d& matrix, const Vec3d* normals) {
   const V3 n = multiply(matrix, load(normals));
-  const V3 unit = choose(hn::Gt(length_of(n), hn::Zero(D())), unit_of(n), n);
+  const V3 unit = unit_or_zero(n);
   return {hn::DemoteTo(DF(), unit.x), hn::DemoteTo(DF(), unit.y), hn::DemoteTo(DF(), unit.z)};
 }
 
