@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/stop.h"
 #include "math/unit.h"
 #include "scene/form_frame.h"
 #include "scene/world.h"
@@ -25,8 +26,10 @@ void include_point(FormBox& box, const Vec3d& point) {
 /// Around the vertices that triangles use.
 FormBox box_of_used(const Mesh& mesh) {
   FormBox box;
-  for (const MeshTriangle& triangle : mesh.triangles)
-    for (const std::uint32_t corner : triangle.position) include_point(box, mesh.positions[corner]);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (i % 4096 == 4095) check_stop();
+    for (const std::uint32_t corner : mesh.triangles[i].position) include_point(box, mesh.positions[corner]);
+  }
   return box;
 }
 
@@ -39,8 +42,10 @@ Vec3d corner_of(const FormBox& box, int corner) {
 class BoxesOfObjects {
  public:
   explicit BoxesOfObjects(const Geometry& geometry) : geometry_(geometry), meshes_(geometry_.meshes.size()) {
-    for (const Object& object : geometry_.objects)
+    for (const Object& object : geometry_.objects) {
+      check_stop();
       boxes.push_back(std::visit([&](const auto& shape) { return box_of(shape); }, object.shape));
+    }
   }
   std::vector<FormBox> boxes;
 

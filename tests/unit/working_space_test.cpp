@@ -261,7 +261,9 @@ TEST(ExtremeNumbers, ASliverBesideAQuadLeavesNoTraceAndNoHole) {
             fmt::format("model {{ name = s color = white vertices {{ (-{0},-{0},{0}) ({0},-{0},{0}) (0,{0},{0}) }} "
                         "triangles {{ (0,1,2,white) }} }} instance {{ model = s }}",
                         size));
-        EXPECT_EQ(picture(scene).pixels(), wanted.pixels()) << size << " " << static_cast<int>(accelerator);
+        const Image<Vec3f> found = picture(scene);
+        EXPECT_TRUE(std::equal(found.pixels().begin(), found.pixels().end(), wanted.pixels().begin()))
+            << size << " " << static_cast<int>(accelerator);
       }
     }
 }
