@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frame/working_scene.h"
 #include "inspect/microscope/texels.h"
 #include "raster/clear/bins.h"
 #include "raster/clear/canvas_outline.h"
@@ -46,7 +47,9 @@ class FragmentsIn final : public Microscope::Fragments {
  public:
   FragmentsIn(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel, Prepared& prepared,
               Progress& progress)
-      : pass_(make_pass<Real>(scene, view, settings, Channel::none, prepared)), pixel_(pixel) {
+      : working_(scene, view, settings, prepared),
+        pass_(make_pass<Real>(working_.scene(), working_.view(), working_.settings(), Channel::none, prepared)),
+        pixel_(pixel) {
     find_canvas_triangles(*scene.canvas_items);
     if (settings.draw != Draw::filled) return;
     const ScreenGeometry<Real> geometry = make_geometry(pass_, std::optional(pixel), {settings.threads, {}}, progress);
@@ -291,6 +294,7 @@ class FragmentsIn final : public Microscope::Fragments {
                          std::array{Vec2d(steps.dx), Vec2d(steps.dy)});
   }
 
+  const WorkingScene working_;
   Pass<Real> pass_;
   Vec2i pixel_;
   std::vector<NearTriangle<Real>> near_;
