@@ -23,11 +23,11 @@
 #include "gui/frame/show_panel.h"
 #include "gui/frame/status_bar.h"
 #include "gui/frame/window_actions.h"
-#include "gui/input/imgui_keys.h"
 #include "gui/panels/pictures/dropped_picture.h"
 #include "gui/panels/pictures/picture_actions.h"
 #include "gui/panels/pictures/picture_gizmo.h"
 #include "gui/panels/pictures/picture_values.h"
+#include "gui/platform/imgui_version.h"
 #include "gui/platform/state_file.h"
 #include "gui/session/session_values.h"
 #include "gui/shell/shell.h"
@@ -262,7 +262,7 @@ void App::Parts::show_options() {
 
 /// Esc leaves whatever is in front: an open menu, flying, a picture that is alone.
 void App::Parts::close_on_escape() {
-  if (!ImGui::IsKeyPressed(imgui_key(Key::escape), false) || key_focus().left_by_escape()) return;
+  if (!key_pressed(Key::escape, KeyRepeat::once) || key_focus().left_by_escape()) return;
   if (cancel_picture_drag(session, my.pictures) || cancel_space_drag(session, my.space)) return;
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) {
     ImGui::ClosePopupToLevel(0, true);

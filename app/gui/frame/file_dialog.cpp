@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "gui/platform/imgui_version.h"
 #include "gui/theme/theme.h"
 #include "gui/widgets/widgets.h"
 
@@ -106,7 +107,7 @@ void FileDialog::draw() {
     chosen = typed.is_absolute() ? typed : folder_ / typed;
   }
   ImGui::SameLine();
-  const bool cancelled = button("file/cancel", "Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+  const bool cancelled = button("file/cancel", "Cancel") || key_pressed(Key::escape);
   if (chosen || cancelled) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
   if (!chosen) return;

@@ -1,15 +1,15 @@
 #include <SDL.h>
 #include <backends/imgui_impl_opengl3.h>
-#include <backends/imgui_impl_sdl.h>
 #include <epoxy/gl.h>
 
 #include "gui/platform/graphics.h"
+#include "gui/platform/imgui_version.h"
 #include "gui/platform/plain_program.h"
 
 namespace ps::gui {
 namespace {
 
-GLuint number_of(ImTextureID texture) { return static_cast<GLuint>(reinterpret_cast<std::intptr_t>(texture)); }
+GLuint number_of(ImTextureID texture) { return static_cast<GLuint>(texture_number(texture)); }
 
 /// Mesa's software driver has a path several times as fast for textures that do not repeat.
 void do_not_repeat(GLuint texture) {
@@ -37,17 +37,17 @@ class OpenGlGraphics : public Graphics {
   void attach() override {
     SDL_GL_MakeCurrent(window_, context_);
     SDL_GL_SetSwapInterval(1);
-    ImGui_ImplSDL2_InitForOpenGL(window_, context_);
+    attach_to_window(window_, context_);
     ImGui_ImplOpenGL3_Init(shader_version_);
   }
   void detach() override {
     ImGui_ImplOpenGL3_Shutdown();
-    ImGui_ImplSDL2_Shutdown();
+    detach_from_window();
   }
   void begin_frame() override {
     ImGui_ImplOpenGL3_NewFrame();
     do_not_repeat(number_of(ImGui::GetIO().Fonts->TexID));
-    ImGui_ImplSDL2_NewFrame();
+    begin_window_frame();
   }
   // The cleared colour is the background of the whole window: a filled rectangle of this size would cost drivers that
   // draw by the processor several milliseconds.
@@ -80,8 +80,7 @@ class OpenGlGraphics : public Graphics {
     }
     glBindTexture(GL_TEXTURE_2D, number);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.width, size.height, 0, GL_BGRA, GL_UNSIGNED_BYTE, nullptr);
-    // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui hands numbers on as pointers
-    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(number));
+    return texture_of_number(number);
   }
   void upload(ImTextureID texture, const TileRect& rect, const void* pixels) override {
     glBindTexture(GL_TEXTURE_2D, number_of(texture));

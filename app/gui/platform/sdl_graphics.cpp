@@ -1,5 +1,4 @@
 #include <SDL.h>
-#include <backends/imgui_impl_sdl.h>
 
 #include <cmath>
 #include <cstddef>
@@ -7,11 +6,12 @@
 #include <vector>
 
 #include "gui/platform/graphics.h"
+#include "gui/platform/imgui_version.h"
 
 namespace ps::gui {
 namespace {
 
-SDL_Texture* texture_of(ImTextureID texture) { return static_cast<SDL_Texture*>(texture); }
+SDL_Texture* texture_of(ImTextureID texture) { return reinterpret_cast<SDL_Texture*>(texture_number(texture)); }
 
 /// Dear ImGui's triangles drawn by SDL_RenderGeometry, for machines without OpenGL.
 class SdlGraphics : public Graphics {
@@ -29,20 +29,20 @@ class SdlGraphics : public Graphics {
   }
 
   void attach() override {
-    ImGui_ImplSDL2_InitForSDLRenderer(window_);
+    attach_to_window(window_, renderer_);
     ImGuiIO& io = ImGui::GetIO();
     io.BackendRendererName = "pixelscope_sdl_geometry";
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
   }
   void detach() override {
-    ImGui::GetIO().Fonts->SetTexID(nullptr);
-    ImGui_ImplSDL2_Shutdown();
+    ImGui::GetIO().Fonts->SetTexID({});
+    detach_from_window();
   }
   void begin_frame() override {
     for (SDL_Texture* texture : to_destroy_) SDL_DestroyTexture(texture);
     to_destroy_.clear();
     if (!ImGui::GetIO().Fonts->TexID) upload_fonts();
-    ImGui_ImplSDL2_NewFrame();
+    begin_window_frame();
   }
   void draw(ImDrawData& data, const ImVec4& paper, WindowSize drawable) override {
     const auto level = [](float share) { return static_cast<Uint8>(std::lround(share * 255)); };
@@ -92,7 +92,7 @@ class SdlGraphics : public Graphics {
     SDL_Texture* texture = SDL_CreateTexture(renderer_, format, SDL_TEXTUREACCESS_STATIC, size.width, size.height);
     SDL_SetTextureBlendMode(texture, SDL_BLENDMODE_BLEND);
     SDL_SetTextureScaleMode(texture, scaling);
-    return texture;
+    return texture_of_number(reinterpret_cast<std::uintptr_t>(texture));
   }
   void upload_fonts() {
     unsigned char* pixels = nullptr;

@@ -36,7 +36,7 @@ Texture::~Texture() {
 }
 
 Texture::Texture(Texture&& other) noexcept
-    : id_(std::exchange(other.id_, nullptr)), width_(std::exchange(other.width_, 0)),
+    : id_(std::exchange(other.id_, ImTextureID{})), width_(std::exchange(other.width_, 0)),
       height_(std::exchange(other.height_, 0)), shrunk_(other.shrunk_) {}
 
 Texture& Texture::operator=(Texture&& other) noexcept {

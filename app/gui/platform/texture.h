@@ -36,7 +36,7 @@ class Texture {
   ImTextureID id() const { return id_; }
 
  private:
-  ImTextureID id_ = nullptr;
+  ImTextureID id_{};
   int width_ = 0, height_ = 0;
   mutable bool shrunk_ = false;
 };

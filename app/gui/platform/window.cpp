@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <utility>
 
-#include "gui/input/imgui_keys.h"
 #include "gui/platform/display.h"
 #include "gui/platform/events.h"
+#include "gui/platform/imgui_version.h"
 #include "gui/platform/keyboard.h"
 #include "gui/platform/texture.h"
 
@@ -62,7 +62,7 @@ Window::Window(const std::string& title, const WindowPlacement& placement) {
   io.MouseDoubleClickTime = 0.4f;
   io.ConfigInputTextCursorBlink = false;  // a blinking cursor would keep an idle window drawing
   graphics_->attach();
-  map_imgui_keys(io);
+  begin_tracked_input(io);
 }
 
 Window::~Window() {

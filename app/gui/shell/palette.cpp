@@ -11,12 +11,12 @@
 
 #include "base/word_search.h"
 #include "gui/base/values.h"
+#include "gui/platform/imgui_version.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
 namespace {
-bool key_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
 
 /// How well a line fits what was typed. The best come first.
 enum class Fit { label_has_it, words_have_it, letters_in_order };
@@ -91,8 +91,8 @@ void CommandPalette::draw(const Actions& actions) {
   constexpr std::size_t most = 12;
   if (found.size() > most) found.resize(most);
   const int count = static_cast<int>(found.size());
-  if (key_pressed(ImGuiKey_DownArrow)) ++selected_;
-  if (key_pressed(ImGuiKey_UpArrow)) --selected_;
+  if (key_pressed(Key::down)) ++selected_;
+  if (key_pressed(Key::up)) --selected_;
   selected_ = count > 0 ? (selected_ + count) % count : 0;
   for (int i = 0; i < count; ++i) {
     const Found& one = found[static_cast<std::size_t>(i)];
@@ -115,7 +115,7 @@ void CommandPalette::draw(const Actions& actions) {
   }
   if (enter && count > 0) chosen = found[static_cast<std::size_t>(selected_)].name;
   const bool lost = !just_opened_ && !ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
-  if (lost || enter || !chosen.empty() || key_pressed(ImGuiKey_Escape)) open_ = false;
+  if (lost || enter || !chosen.empty() || key_pressed(Key::escape)) open_ = false;
   just_opened_ = false;
   ImGui::End();
   ImGui::PopStyleColor();

@@ -140,7 +140,7 @@ void Theme::load_fonts() {
 }
 
 bool Theme::has_glyphs(Face face, const char* utf8) const {
-  const ImFont* used = font(face);
+  ImFont* used = font(face);
   // ImGui's own decoder is internal; UTF-8 of the basic plane is short.
   for (const auto* p = reinterpret_cast<const unsigned char*>(utf8); *p;) {
     unsigned code = *p++;

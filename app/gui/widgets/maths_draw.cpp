@@ -29,7 +29,7 @@ Face WindowMathsFont::face(MathsStyle style, MathsSize size) const {
 float WindowMathsFont::em(MathsSize size) const { return px(type_size(face(MathsStyle::upright, size))); }
 
 InkBox WindowMathsFont::ink(MathsStyle style, MathsSize size, std::string_view utf8) const {
-  const ImFont& font = *theme().font(face(style, size));
+  ImFont& font = *theme().font(face(style, size));
   InkBox box{0, 1e6f, -1e6f, -1e6f, -1e6f};
   const char* const end = utf8.data() + utf8.size();
   for (const char* at = utf8.data(); at < end;) {
@@ -56,7 +56,7 @@ void draw_maths(ImDrawList& list, ImVec2 origin, const MathsBox& box, const Wind
   const ImU32 ink = colour_u32(colour);
   for (const MathsText& text : box.texts) {
     const Face face = font.face(text.style, text.size);
-    const ImFont* used = theme().font(face);
+    ImFont* used = theme().font(face);
     // Dear ImGui rounds down to whole pixels, so that glyphs are sharp; here to the nearest ones.
     const ImVec2 at{std::round(origin.x + text.x), std::round(origin.y + text.y - used->Ascent)};
     list.AddText(used, used->FontSize, at, ink, text.text.data(), text.text.data() + text.text.size());

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "gui/platform/imgui_version.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/key_focus.h"
 #include "gui/widgets/number_scale.h"
@@ -37,7 +38,7 @@ bool wheel_is_ours(ImGuiID id, bool hovered) {
   const bool fresh = now - wheel.last > wheel_pause;
   if (hovered && (fresh || wheel.id == id)) {
     // Taken in the frame before the wheel turns, which keeps the panel from scrolling.
-    ImGui::SetItemUsingMouseWheel();
+    take_wheel_for_item();
     if (io.MouseWheel != 0) {
       wheel = {id, now};
       return true;
@@ -51,7 +52,7 @@ void note_other_wheel() {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.MouseWheel == 0 || noted_frame == ImGui::GetFrameCount()) return;
   noted_frame = ImGui::GetFrameCount();
-  if (ImGui::GetCurrentContext()->HoveredIdPreviousFrameUsingMouseWheel) return;
+  if (wheel_is_taken()) return;
   wheel = {0, ImGui::GetTime()};
 }
 
@@ -67,7 +68,7 @@ Edit typed(std::string_view name, double& value, const NumberRange& range, float
   if (const auto digit = key_focus().digit(); digit && !is_active) gesture.first += *digit;
   if (is_active)
     for (const char key : std::exchange(gesture.first, {}))
-      ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(key));
+      ImGui::GetIO().InputQueueCharacters.push_back(static_cast<ImWchar>(key));
   const bool enter = ImGui::InputText("##typed", &gesture.text,
                                       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   ImGui::PopStyleVar();
@@ -75,7 +76,7 @@ Edit typed(std::string_view name, double& value, const NumberRange& range, float
   const bool left = !gesture.typing_began && !ImGui::IsItemActive();
   gesture.typing_began = false;
   controls().record(name, gesture.text);
-  const bool cancelled = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+  const bool cancelled = key_pressed(Key::escape);
   if (!enter && !left) return edit;
   gesture.typing = false;
   gesture.id = 0;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/input/imgui_keys.h"
+#include "gui/platform/imgui_version.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/tick.h"
 
@@ -15,12 +15,11 @@ namespace {
 constexpr double picture_size = 152, tile_gap = 16;  // at scale 1
 
 int moved_by_keys(int selected, int columns, int count) {
-  const auto pressed = [](Key key) { return ImGui::IsKeyPressed(imgui_key(key), true); };
   int moved = selected;
-  if (pressed(Key::right)) ++moved;
-  if (pressed(Key::left)) --moved;
-  if (pressed(Key::down)) moved += columns;
-  if (pressed(Key::up)) moved -= columns;
+  if (key_pressed(Key::right)) ++moved;
+  if (key_pressed(Key::left)) --moved;
+  if (key_pressed(Key::down)) moved += columns;
+  if (key_pressed(Key::up)) moved -= columns;
   return moved < 0 || moved >= count ? std::clamp(selected, 0, std::max(count - 1, 0)) : moved;
 }
 

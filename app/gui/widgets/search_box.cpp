@@ -1,6 +1,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "gui/platform/imgui_version.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/key_focus.h"
 #include "gui/widgets/text_field.h"
@@ -27,9 +28,11 @@ TextEdit typed_field(std::string_view name, std::string& text, std::string_view 
                       {px(icon == FieldIcon::lens ? 28 : 8), ImGui::GetStyle().FramePadding.y});
   ImGui::PushStyleColor(ImGuiCol_TextDisabled, p.text_quiet);
   TextEdit edit;
-  edit.changed = ImGui::InputTextWithHint(id.c_str(), shown_hint.c_str(), &text);
-  edit.entered = ImGui::IsItemDeactivated() && (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) ||
-                                                ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter)));
+  {
+    const Overlappable by_what_clears_it;
+    edit.changed = ImGui::InputTextWithHint(id.c_str(), shown_hint.c_str(), &text);
+  }
+  edit.entered = ImGui::IsItemDeactivated() && (key_pressed(Key::enter) || key_pressed(Key::keypad_enter));
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
@@ -45,7 +48,6 @@ TextEdit typed_field(std::string_view name, std::string& text, std::string_view 
   }
   if (text.empty()) return edit;
   const ImVec2 after = ImGui::GetCursorScreenPos();
-  ImGui::SetItemAllowOverlap();
   ImGui::SetCursorScreenPos({start.x + width - clear, start.y});
   const std::string clear_name = std::string(name) + "/clear";
   if (hit_area(clear_name, {clear, clear}, {})) {

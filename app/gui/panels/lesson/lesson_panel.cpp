@@ -1,7 +1,6 @@
 #include "gui/panels/lesson/lesson_panel.h"
 
 #include <fmt/format.h>
-#include <imgui_internal.h>  // whether a control has the wheel
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +11,7 @@
 #include "gui/panels/lesson/step_options.h"
 #include "gui/panels/lesson/text_needs.h"
 #include "gui/panels/lesson/text_pages.h"
+#include "gui/platform/imgui_version.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/redraw.h"
 #include "gui/widgets/widgets.h"
@@ -159,7 +159,7 @@ void turn_to_verdict(const std::vector<TextLine>& lines, const std::vector<std::
 /// The wheel turns pages, unless it belongs to a control under the pointer.
 void turn_by_wheel(ReadPage& read) {
   const float wheel = ImGui::GetIO().MouseWheel;
-  if (wheel == 0 || !ImGui::IsWindowHovered() || ImGui::GetCurrentContext()->HoveredIdUsingMouseWheel) return;
+  if (wheel == 0 || !ImGui::IsWindowHovered() || wheel_is_taken()) return;
   read.page = std::clamp(read.page + (wheel < 0 ? 1 : -1), 0, read.pages - 1);
 }
 

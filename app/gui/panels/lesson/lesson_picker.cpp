@@ -8,9 +8,9 @@
 #include <set>
 
 #include "base/spelling.h"
-#include "gui/input/imgui_keys.h"
 #include "gui/panels/lesson/hit_row.h"
 #include "gui/panels/lesson/lesson_list.h"
+#include "gui/platform/imgui_version.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/overlay.h"
 #include "gui/widgets/picture_tiles.h"
@@ -18,8 +18,6 @@
 
 namespace ps::gui {
 namespace {
-
-bool key_down(Key key) { return ImGui::IsKeyPressed(imgui_key(key), true); }
 
 /// Picture A of the first step that does not cover it with a question.
 Image<Rgb8> lesson_picture(const std::string& name, int width, int height, Progress& progress) {
@@ -70,7 +68,7 @@ Chosen lesson_tiles(LessonPicker& picker, const ReadLessons& read) {
       chosen = {lesson.name, 0};
     controls().record(lesson.name + "/read", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), is_read ? "on" : "off");
   }
-  if (key_down(Key::enter) && !numbers.empty())
+  if (key_pressed(Key::enter) && !numbers.empty())
     chosen = {listed_lessons()[numbers[static_cast<std::size_t>(picker.selected)]].name, 0};
   return chosen;
 }
@@ -80,8 +78,8 @@ Chosen hit_rows(LessonPicker& picker, const ReadLessons& read) {
   Chosen chosen;
   const std::vector<LessonHit>& hits = picker.found.hits;
   const int before = picker.selected, last = static_cast<int>(hits.size()) - 1;
-  if (key_down(Key::down)) ++picker.selected;
-  if (key_down(Key::up)) --picker.selected;
+  if (key_pressed(Key::down)) ++picker.selected;
+  if (key_pressed(Key::up)) --picker.selected;
   picker.selected = std::clamp(picker.selected, 0, std::max(last, 0));
   for (int i = 0; i <= last; ++i) {
     const LessonHit& hit = hits[static_cast<std::size_t>(i)];
@@ -93,7 +91,7 @@ Chosen hit_rows(LessonPicker& picker, const ReadLessons& read) {
                      .reveal = picker.selected != before};
     const int size = tile_picture_size();
     const auto picture = [&] { return picture_of(picker, hit.lesson, size, size); };
-    if (hit_row(row, picture) || (i == picker.selected && key_down(Key::enter)))
+    if (hit_row(row, picture) || (i == picker.selected && key_pressed(Key::enter)))
       chosen = {listed_lessons()[hit.lesson].name, hit.step};
   }
   return chosen;
@@ -131,7 +129,7 @@ void help_with_query(LessonPicker& picker) {
                                          shown_start(found.unknown)));
   if (found.nearest.empty()) return;
   const bool clicked = button("nearest", fmt::format("Search for \"{}\" (Enter)", found.nearest));
-  if (clicked || key_down(Key::enter)) picker.search = found.nearest;
+  if (clicked || key_pressed(Key::enter)) picker.search = found.nearest;
 }
 
 void follow_query(LessonPicker& picker) {

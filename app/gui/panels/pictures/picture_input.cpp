@@ -1,10 +1,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "gui/input/tracker.h"
 #include "gui/panels/pictures/handles_view.h"
 #include "gui/panels/pictures/picture_gizmo.h"
 #include "gui/panels/pictures/pictures_panel.h"
+#include "gui/platform/tracker.h"
 #include "gui/session/camera_moves.h"
 
 namespace ps::gui {

@@ -1,7 +1,7 @@
 #include "gui/panels/pictures/pictures_panel.h"
 
 #include <fmt/format.h>
-#include <imgui_internal.h>  // AllowItemOverlap
+#include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +13,7 @@
 #include "gui/panels/pictures/picture_frame.h"
 #include "gui/panels/pictures/picture_gizmo.h"
 #include "gui/panels/pictures/slow_strip.h"
+#include "gui/platform/imgui_version.h"
 #include "gui/widgets/widgets.h"
 #include "render/left_out.h"
 #include "render/renderer_table.h"
@@ -101,11 +102,13 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
   auto& list = *ImGui::GetWindowDrawList();
   const std::size_t index = index_of(side);
   ImGui::SetCursorScreenPos(area.min);
-  ImGui::InvisibleButton(
-      side == Side::a ? "picture-a" : "picture-b", {std::max(area.width(), 1.f), std::max(area.height(), 1.f)},
-      ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle |
-          static_cast<ImGuiButtonFlags>(ImGuiButtonFlags_AllowItemOverlap));
-  ImGui::SetItemAllowOverlap();  // the legend has controls
+  {
+    const Overlappable by_controls_of_the_legend;
+    ImGui::InvisibleButton(side == Side::a ? "picture-a" : "picture-b",
+                           {std::max(area.width(), 1.f), std::max(area.height(), 1.f)},
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                               ImGuiButtonFlags_MouseButtonMiddle | Overlappable::button_flags());
+  }
   controls().record(side == Side::a ? "view/a/picture" : "view/b/picture", std::string(1, letter_of(side)));
   const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
   picture_input(session, state, side, area, split ? std::optional(split->at) : std::nullopt);

@@ -7,7 +7,7 @@
 
 #include "base/check.h"
 #include "base/word_search.h"
-#include "gui/input/imgui_keys.h"
+#include "gui/platform/imgui_version.h"
 #include "gui/widgets/overlay.h"
 #include "gui/widgets/picture_tiles.h"
 #include "gui/widgets/widgets.h"
@@ -15,8 +15,6 @@
 
 namespace ps::gui {
 namespace {
-
-bool pressed(Key key) { return ImGui::IsKeyPressed(imgui_key(key), true); }
 
 /// The picture of a scene by its number in the list; nullptr while it is being made.
 const Texture* picture_of(SceneGallery& gallery, std::size_t number, int width, int height) {
@@ -98,7 +96,7 @@ void scene_gallery(Session& session, SceneGallery& gallery) {
   ImGui::BeginChild("##tiles");
   std::string chosen = scene_tiles(gallery, found);
   ImGui::EndChild();
-  if (!gallery.just_opened && pressed(Key::enter) && !found.empty())
+  if (!gallery.just_opened && key_pressed(Key::enter) && !found.empty())
     chosen = builtin_scenes()[found[static_cast<std::size_t>(gallery.selected)]].name;
   if (!chosen.empty()) session.open(chosen);
   if (window.left() || !chosen.empty()) gallery.open = false;

@@ -20,8 +20,8 @@ struct KeyChange {
 /// Whether the key in a place is down, whatever it types.
 bool place_is_held(Key place);
 
-/// Mouse, modifiers and keys as the queue of events reports them. Dear ImGui 1.86's own back end reads the pointer's
-/// global position and the modifiers from the system and so ignores events that a script pushed into the queue;
+/// Mouse, modifiers and keys as the queue of events reports them. Dear ImGui's own back end reads the pointer's global
+/// position from the system, 1.86 buttons and modifiers too, and so ignores events that a script pushed into the queue;
 /// apply() runs after it and overrules it. Events that would hide one another in one frame (a button pressed and
 /// released) are spread over several frames.
 class InputTracker {

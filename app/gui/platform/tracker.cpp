@@ -1,4 +1,4 @@
-#include "gui/input/tracker.h"
+#include "gui/platform/tracker.h"
 
 #include <imgui.h>
 
@@ -6,7 +6,7 @@
 #include <bitset>
 #include <cfloat>
 
-#include "gui/input/imgui_keys.h"
+#include "gui/platform/imgui_version.h"
 
 namespace ps::gui {
 
@@ -94,7 +94,7 @@ void InputTracker::apply_event(const InputEvent& event, ImGuiIO& io) {
     // The same comes up, whatever became of the modifiers and the layout.
     Key& meant = down_as_[index_of(event.key)];
     if (event.down && !event.repeat) meant = key.first().key;
-    io.KeysDown[imgui_key(meant)] = event.down;
+    set_key(io, meant, event.down);
     keys_.push_back({key, event.down, event.repeat});
     break;
   }
@@ -103,7 +103,7 @@ void InputTracker::apply_event(const InputEvent& event, ImGuiIO& io) {
     typed_ = true;
     break;
   case Kind::focus_lost:
-    std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+    io.ClearInputKeys();
     held_places().reset();
     std::fill(std::begin(buttons_), std::end(buttons_), false);
     ctrl_ = shift_ = alt_ = false;
@@ -125,12 +125,9 @@ void InputTracker::apply(ImGuiIO& io) {
     events_.pop_front();
   }
   const bool dragging = std::any_of(std::begin(buttons_), std::end(buttons_), [](bool down) { return down; });
-  io.MousePos = inside_ || dragging ? ImVec2(x_, y_) : ImVec2(-FLT_MAX, -FLT_MAX);
+  set_pointer(io, inside_ || dragging ? ImVec2(x_, y_) : ImVec2(-FLT_MAX, -FLT_MAX));
   std::copy(std::begin(buttons_), std::end(buttons_), io.MouseDown);
-  io.KeyCtrl = ctrl_;
-  io.KeyShift = shift_;
-  io.KeyAlt = alt_;
-  io.KeySuper = false;
+  set_modifiers(io, ctrl_, shift_, alt_);
 }
 
 }  // namespace ps::gui
