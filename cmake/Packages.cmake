@@ -49,4 +49,4 @@ if(PIXELSCOPE_TESTS)
 endif()
 
 # An accelerator to choose, and what pixelscope-bench measures against, where it is installed.
-find_library(PIXELSCOPE_EMBREE embree3)
+find_library(PIXELSCOPE_EMBREE NAMES embree4 embree3)

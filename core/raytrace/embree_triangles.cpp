@@ -8,7 +8,7 @@
 #include "base/stop.h"
 
 #ifdef PIXELSCOPE_EMBREE
-#include <embree3/rtcore.h>
+#include "raytrace/embree_version.h"
 
 namespace ps {
 
@@ -30,7 +30,7 @@ namespace {
 
 /// What a filter function gets to know of the query: Embree hands this back.
 struct Context {
-  RTCIntersectContext embree;
+  embree::Query embree;
   const std::uint32_t* primitives;
   void* data;
   bool (*visit)(void* data, const EmbreeCandidate& candidate);
@@ -152,7 +152,7 @@ std::size_t EmbreeTriangles::heap_bytes() const {
 
 void EmbreeTriangles::search(const Ray<float>& ray, float limit, bool any, const Visitor& visitor) const {
   Context context;
-  rtcInitIntersectContext(&context.embree);
+  embree::begin(context.embree);
   context.primitives = content_->primitives.data();
   context.data = visitor.data;
   context.visit = visitor.visit;
@@ -175,9 +175,9 @@ void EmbreeTriangles::search(const Ray<float>& ray, float limit, bool any, const
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   if (any)
-    rtcOccluded1(content_->scene, &context.embree, &query.ray);
+    embree::any(content_->scene, context.embree, query.ray);
   else
-    rtcIntersect1(content_->scene, &context.embree, &query);
+    embree::nearest(content_->scene, context.embree, query);
 }
 
 #else

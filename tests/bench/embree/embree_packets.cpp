@@ -7,9 +7,6 @@ namespace ps::bench {
 
 void EmbreeScene::nearest_in_packets(std::span<const BenchRay> rays, std::span<BenchHit> hits) const {
   constexpr std::size_t width = 16;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   RTCRayHit16 packet{};
   for (std::size_t first = 0; first < rays.size(); first += width) {
     const std::size_t count = std::min(width, rays.size() - first);
@@ -28,7 +25,7 @@ void EmbreeScene::nearest_in_packets(std::span<const BenchRay> rays, std::span<B
       packet.ray.mask[lane] = 0xffffffffu;
       packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
     }
-    rtcIntersect16(valid.data(), scene_, &context, &packet);
+    embree::nearest_of_packet(scene_, valid.data(), packet);
     for (std::size_t lane = 0; lane < count; ++lane) {
       const bool found = packet.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID;
       hits[first + lane] = {found ? packet.hit.primID[lane] : no_hit, packet.ray.tfar[lane]};

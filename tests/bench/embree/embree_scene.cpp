@@ -52,24 +52,24 @@ EmbreeScene::~EmbreeScene() {
 }
 
 void EmbreeScene::nearest(std::span<const BenchRay> rays, std::span<BenchHit> hits) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
+  embree::Query context;
+  embree::begin(context);
   RTCRayHit query;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     query.ray = to_embree(rays[i]);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(scene_, &context, &query);
+    embree::nearest(scene_, context, query);
     const bool found = query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
     hits[i] = {found ? query.hit.primID : no_hit, query.ray.tfar};
   }
 }
 
 void EmbreeScene::any(std::span<const BenchRay> rays, std::span<BenchHit> hits) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
+  embree::Query context;
+  embree::begin(context);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     RTCRay query = to_embree(rays[i]);
-    rtcOccluded1(scene_, &context, &query);
+    embree::any(scene_, context, query);
     hits[i] = {query.tfar < 0 ? 0 : no_hit, 0};  // Embree marks a blocked ray with -infinity
   }
 }

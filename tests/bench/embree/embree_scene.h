@@ -1,9 +1,8 @@
 #pragma once
-#include <embree3/rtcore.h>
-
 #include <span>
 
 #include "bench/rays/ray_set.h"
+#include "raytrace/embree_version.h"
 
 namespace ps::bench {
 
