@@ -22,9 +22,32 @@ fail() {
   exit 1
 }
 
+# need_without_apt PACKAGE...: where nothing can be installed, ends with the names of all programs that are missing. If
+# none is, CMake looks for the libraries and names all that are missing. What tests can do without is left out here.
+need_without_apt() {
+  local -A program_of=([cmake]=cmake [ninja-build]=ninja [g++]=c++ [pkgconf]=pkg-config [xvfb]=Xvfb [clang]=clang++
+    [clang-tidy]=clang-tidy [qemu-user]=qemu-x86_64 [chromium]=chromium)
+  local package program missing=() libraries=()
+  for package in "$@"; do
+    program=${program_of[$package]:-}
+    if [[ -n $program ]]; then
+      command -v "$program" >/dev/null || missing+=("$program")
+    elif [[ $package == *-dev ]]; then
+      libraries+=("$package")
+    fi
+  done
+  if ((${#missing[@]} == 0)); then return 0; fi
+  fail "This system has no apt, so nothing can be installed by itself. These programs are missing: ${missing[*]}" \
+    "Pixelscope also needs the libraries of these Debian packages, whatever their names are here:" "  ${libraries[*]}" \
+    "Install what is missing, then start this again."
+}
+
 # need PACKAGE...: installs those that are missing; quiet and quick if none is.
 need() {
-  command -v dpkg-query >/dev/null || return 0  # not a Debian: CMake will name what is missing
+  if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    need_without_apt "$@"
+    return
+  fi
   local -A installed=()
   local state package missing=()
   while read -r state package; do
