@@ -22,7 +22,7 @@ bool FrameMemory::same_again(const ImDrawData& data) {
   size_ = data.DisplaySize;
   lists_.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const ImDrawList& list = *data.CmdLists[i];
+    const ImDrawList& list = *data.CmdLists[static_cast<int>(i)];
     const bool vertices = take(list.VtxBuffer, lists_[i].vertices), indices = take(list.IdxBuffer, lists_[i].indices),
                commands = take(list.CmdBuffer, lists_[i].commands);
     same = same && !vertices && !indices && !commands;

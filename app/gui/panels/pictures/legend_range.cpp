@@ -9,7 +9,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr int steps = 60;              // of the bar's colours
+constexpr int bar_steps = 60;          // of the bar's colours
 constexpr double least_window = 0.01;  // of the bar, between the two handles
 
 bool is_asked(const Session& session, Side side) {
@@ -37,10 +37,10 @@ void ask_for(Session& session, Side side, ValueRange range) {
 
 void draw_bar(const Area& bar, const ValueRange& whole, const ValueRange& shown) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  for (int i = 0; i < steps; ++i) {
-    const double value = whole.low + (whole.high - whole.low) * (i + 0.5) / steps;
+  for (int i = 0; i < bar_steps; ++i) {
+    const double value = whole.low + (whole.high - whole.low) * (i + 0.5) / bar_steps;
     const Rgb8 c = heat_colour((value - shown.low) / (shown.high - shown.low));
-    const auto at = [&](int step) { return bar.min.x + bar.width() * static_cast<float>(step) / steps; };
+    const auto at = [&](int step) { return bar.min.x + bar.width() * static_cast<float>(step) / bar_steps; };
     list.AddRectFilled({at(i), bar.min.y}, {at(i + 1), bar.max.y}, IM_COL32(c.r, c.g, c.b, 255));
   }
 }

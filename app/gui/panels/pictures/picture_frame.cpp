@@ -13,7 +13,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr double narrow = 380;  ///< pictures below this width, at scale 1, get two lines above and below
+constexpr double narrow_below = 380;  ///< pictures below this width, at scale 1, get two lines above and below
 
 const std::vector<Choice>& channel_choices() {
   static const std::vector<Choice> choices = [] {
@@ -39,7 +39,7 @@ std::string take_line(Face face, std::string& text, float width) {
 PictureMargins picture_margins(float width, PictureCaptions captions) {
   if (captions == PictureCaptions::brief) return {px(19), px(20)};
   const float notes = px(note_height);
-  return width < px(narrow) ? PictureMargins{px(66), px(46) + notes} : PictureMargins{px(34), px(26) + notes};
+  return width < px(narrow_below) ? PictureMargins{px(66), px(46) + notes} : PictureMargins{px(34), px(26) + notes};
 }
 
 std::optional<Area> picture_note(const Area& footer, PictureCaptions captions) {
@@ -69,7 +69,7 @@ void side_badge(ImDrawList& list, ImVec2 corner, float size, Side side) {
 void picture_title(Session& session, Side side, const Area& row, PictureCaptions captions, std::string_view instead) {
   const NameScope scope(side == Side::a ? "view/a" : "view/b");
   auto& list = *ImGui::GetWindowDrawList();
-  const bool is_narrow = row.width() < px(narrow), two_lines = is_narrow && captions == PictureCaptions::full;
+  const bool is_narrow = row.width() < px(narrow_below), two_lines = is_narrow && captions == PictureCaptions::full;
   const bool has_choice = captions == PictureCaptions::full;  // a brief line has no room for it
   const float line = two_lines ? row.height() - ImGui::GetFrameHeight() - px(3) : row.height();
   const float size = std::min(px(22), line), top = row.min.y + (line - size) / 2;

@@ -22,9 +22,9 @@
 namespace ps::gui {
 namespace {
 
-constexpr double camera_margin = 1.15;       // around the image, when looking through the camera
-constexpr double radians_per_pixel = 0.006;  // at scale 1
-constexpr double wheel_factor = 0.85;
+constexpr double camera_margin = 1.15;     // around the image, when looking through the camera
+constexpr double orbit_per_pixel = 0.006;  // at scale 1
+constexpr double nearer_by_notch = 0.85;
 constexpr double near_share = 0.02;        // of the viewer's distance
 constexpr double negligible_share = 0.01;  // of the pixel's colour
 constexpr double focus_factor = 1.1;       // distance of the viewer, of the scene's radius
@@ -223,7 +223,7 @@ void move_by_mouse(Session& session, SpacePanelState& state, double aspect) {
       (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
     SpaceOrbit orbit = orbit_now(look, state, aspect);
     if (look.through_camera) orbit.yaw = orbit.pitch = 0;
-    const double step = radians_per_pixel / static_cast<double>(px(1));
+    const double step = orbit_per_pixel / static_cast<double>(px(1));
     if (io.KeyShift) {  // moves what is in the middle
       const Camera camera = state.picture ? state.picture->view.camera : Camera{};
       const double size = orbit.distance * space_view_height / std::max(1.f, ImGui::GetItemRectSize().y);
@@ -240,7 +240,7 @@ void move_by_mouse(Session& session, SpacePanelState& state, double aspect) {
   if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
     SpaceOrbit orbit = orbit_now(look, state, aspect);
     if (look.through_camera) orbit.yaw = orbit.pitch = 0;
-    orbit.distance *= std::pow(wheel_factor, static_cast<double>(io.MouseWheel));
+    orbit.distance *= std::pow(nearer_by_notch, static_cast<double>(io.MouseWheel));
     turn_to(session, orbit);
   }
 }

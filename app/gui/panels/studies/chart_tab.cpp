@@ -399,7 +399,7 @@ std::optional<std::string> point_value(const Chart& chart, std::string_view name
     if (what == "time-ms") return script_text(point.time_ms.median);
     if (what == "upload-ms" && point.upload_ms) return script_text(point.upload_ms->median);
     if (what == "memory-mb") return script_text(point.memory_mb);
-    if (what == "work") return work_text(point.work);
+    if (what == "work") return ps::work_text(point.work);
     if (what == "on-front") return script_text(point.on_front);
     if (what == "tie") return script_text(point.tie);
     if (what == "standing") return std::string(standing_key(point.standing));
