@@ -116,7 +116,7 @@ KeptPeaks kept_peaks(const Mesh& triangles, double exponent, const Settings& set
   BallPictures ball(triangles, black_with_highlight(exponent), 200, run);
   std::vector<double> peaks(static_cast<std::size_t>(lights));
   for_each_three(lights_before_ball(lights, run.seed), [&](std::size_t first, std::span<const Vec3d> three) {
-    const auto picture = ball.under(three, 1, settings);
+    const Image<Vec3f> picture = ball.under(three, 1, settings);
     for (const Vec3f& colour : picture.pixels())
       for (std::size_t i = 0; i < three.size(); ++i)
         peaks[first + i] = std::max(peaks[first + i], static_cast<double>(colour[static_cast<int>(i)]));
