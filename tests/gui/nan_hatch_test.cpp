@@ -11,7 +11,8 @@ namespace {
 /// Pixels of a picture that are pure magenta.
 int magenta_pixels(const std::filesystem::path& path) {
   int count = 0;
-  for (const ps::Rgb8& pixel : ps::load_levels(path).pixels()) count += pixel == ps::Rgb8{255, 0, 255} ? 1 : 0;
+  const auto levels = ps::load_levels(path);
+  for (const ps::Rgb8& pixel : levels.pixels()) count += pixel == ps::Rgb8{255, 0, 255} ? 1 : 0;
   return count;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <string_view>
 
 #include "student/compile_listing.h"
 #include "support/environment.h"
@@ -25,10 +26,10 @@ class OwnListings {
   ListingPermits permits_;
 };
 
-inline const NamedListing& listing_in(const std::string& folder) {
+inline const NamedListing& listing_in(std::string_view folder) {
   for (const NamedListing& listing : listings())
     if (listing.folder == folder) return listing;
-  throw InputError("no listing in " + folder);
+  throw InputError("no listing in " + std::string(folder));
 }
 
 /// `text` with `from`, which is in it once, replaced.
