@@ -1,6 +1,8 @@
 // Stencil shadows where they are known to fail, against shadow rays.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "options/scene_settings.h"
 #include "render/render.h"
 #include "scene/load.h"
@@ -33,6 +35,24 @@ Settings with(const Scene& scene, Renderer renderer, Shadows shadows) {
   settings.renderer = renderer;
   settings.shadows = shadows;
   return settings;
+}
+
+// A light whose volumes are those of no object has no buffer: everything is lit, as without shadows.
+TEST(Stencil, WithoutACasterEverythingIsLit) {
+  Scene scene = load_scene("lab/inside-shadow");
+  scene.materials.edit([](std::vector<Material>& materials) {
+    for (Material& material : materials) material.transparency = 1;
+  });
+  const Frame lit = draw(scene, with(scene, Renderer::rasterizer, Shadows::none));
+  for (const Shadows method : {Shadows::stencil_depth_fail, Shadows::stencil_depth_pass}) {
+    const Settings settings = with(scene, Renderer::rasterizer, method);
+    const Frame drawn = draw(scene, settings);
+    EXPECT_TRUE(std::ranges::equal(drawn.colour.pixels(), lit.colour.pixels()));
+    Prepared prepared;
+    Progress progress;
+    const PixelStory story = inspect(scene, {scene.camera, 150, 100}, settings, {75, 60}, prepared, progress);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(story.linear[i], static_cast<double>(lit.colour.at(75, 60)[i]));
+  }
 }
 
 // Inside, all is wrong but where two shadows lie over each other and one is left; outside, nothing. Depth-fail is right

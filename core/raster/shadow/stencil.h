@@ -16,12 +16,14 @@ namespace ps::raster {
 /// The stencil buffers of a part of a picture, one for each light (CGFS ch. 15).
 struct Stencil {
   TileRect rect;                            ///< pixels that they hold
-  std::vector<Image<std::int32_t>> counts;  ///< as stored, after wrapping; an empty one for light without shadows
+  std::vector<Image<std::int32_t>> counts;  ///< as stored, after wrapping; an empty one for light without volumes
   std::vector<StencilEvent> events;         ///< one for each casting light; only while a pixel is inspected
   Counters counters;
 
+  /// 0, which is lit, wherever no object casts a shadow of this light.
   std::int32_t at(int light, int column, int row) const {
-    return counts[static_cast<std::size_t>(light)].at(column - rect.x0, row - rect.y0);
+    const Image<std::int32_t>& of_light = counts[static_cast<std::size_t>(light)];
+    return of_light.empty() ? 0 : of_light.at(column - rect.x0, row - rect.y0);
   }
 };
 
