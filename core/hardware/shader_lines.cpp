@@ -85,10 +85,8 @@ class LineReader {
   }
 
   void look_at_compiled(const std::string& line, ShaderLine& made) {
-    constexpr std::string_view include = "#include \"";
-    if (line.starts_with(include)) {
-      const std::string wanted = line.substr(include.size(), line.rfind('"') - include.size());
-      if (!included_.contains(wanted)) read(wanted);
+    if (const auto wanted = ShaderFiles::included_name(line)) {
+      if (!included_.contains(*wanted)) read(*wanted);
       return;
     }
     if (line.starts_with("#define")) definitions_.merge(read_definitions(line));

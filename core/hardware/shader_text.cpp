@@ -41,27 +41,31 @@ std::string guard_of(std::string name) {
 }
 
 /// Adds a file's lines, and in the place of each #include those of the file that it names. The compiler passes over all
-/// but the first of a file that it reaches: only it knows which of them are in a part that is left out.
-void add_file(ShaderFiles& files, const std::string& name, ShaderText& shader) {
+/// but the first of a file that it reaches: only it knows which of them are in a part that is left out. `open` holds
+/// the files around this one: each is read before its #ifndef has any effect.
+void add_file(ShaderFiles& files, const std::string& name, std::vector<std::string>& open, ShaderText& shader) {
+  open.push_back(name);
   const int number = static_cast<int>(shader.files.size());
   shader.files.push_back(name);
   std::istringstream lines(files.text(name));
   shader.text += fmt::format("#line 1 {}\n", number);
   std::string line;
   for (int row = 1; std::getline(lines, line); ++row) {
-    constexpr std::string_view include = "#include \"";
-    if (line.rfind(include, 0) != 0) {
+    const std::optional<std::string> wanted = ShaderFiles::included_name(line);
+    if (!wanted) {
       shader.text += line + "\n";
       // A compiler counts the lines that it passes over, and those of files among them.
       if (line.rfind("#e", 0) == 0) shader.text += fmt::format("#line {} {}\n", row + 1, number);
       continue;
     }
-    const std::string wanted = line.substr(include.size(), line.rfind('"') - include.size());
-    const std::string guard = guard_of(wanted);
-    shader.text += fmt::format("#ifndef {0}\n#define {0}\n", guard);
-    add_file(files, wanted, shader);
+    if (const auto around = std::find(open.begin(), open.end(), *wanted); around != open.end())
+      throw InputError(fmt::format("{}:{}: {} includes itself{}", name, row, *wanted,
+                                   *wanted == name ? "" : fmt::format(", by way of {}", name)));
+    shader.text += fmt::format("#ifndef {0}\n#define {0}\n", guard_of(*wanted));
+    add_file(files, *wanted, open, shader);
     shader.text += fmt::format("#endif\n#line {} {}\n", row + 1, number);
   }
+  open.pop_back();
 }
 
 /// Takes this word off the front of a text, if it is there.
@@ -81,7 +85,8 @@ ShaderText shader_text(ShaderFiles& files, std::string_view file, ShaderStage st
   shader.text += fmt::format("#define CARRIED {0}\n#define CARRIED_FLAT flat {0}\n", way);
   shader.text += names;
   shader.text += definitions;
-  add_file(files, std::string(file), shader);
+  std::vector<std::string> open;
+  add_file(files, std::string(file), open, shader);
   return shader;
 }
 

@@ -17,7 +17,8 @@ struct ShaderText {
 };
 
 /// The text of a shader file ("fragment.glsl") and the files that it includes, and puts before them the head of
-/// GLSL 3.30 or ES 3.00 and the definitions ("#define LIGHTS 3\n"). Throws InputError for a missing file.
+/// GLSL 3.30 or ES 3.00 and the definitions ("#define LIGHTS 3\n"). Throws InputError for a missing file, and for one
+/// that includes itself, directly or by way of others.
 ShaderText shader_text(ShaderFiles& files, std::string_view file, ShaderStage stage, Api api,
                        std::string_view definitions);
 
