@@ -121,11 +121,36 @@ TEST_F(SessionFiles, OfTwoSessionsTheNewestComesFirstAndBothStayOnDisk) {
   EXPECT_EQ(found[0].text, "scene=cgfs/lens");
   EXPECT_EQ(found[1].text, "scene=cgfs/shadows");
   EXPECT_TRUE(std::filesystem::exists(found[0].file));
-  autosave.forget(found[0]);
+  autosave.restore(found[0]);
   EXPECT_TRUE(std::filesystem::exists(found[0].file)) << "until it is saved as the own one";
   autosave.save("scene=cgfs/lens");
   EXPECT_FALSE(std::filesystem::exists(found[0].file));
   EXPECT_TRUE(std::filesystem::exists(found[1].file));
+}
+
+/// What a program finds that restores what is left behind and ends without a proper end, `outlived` or not.
+std::vector<LeftBehind> restored_and_ended(const std::filesystem::path& folder, bool outlived) {
+  Autosave autosave(folder);
+  std::vector<LeftBehind> found = autosave.take_left_behind();
+  if (found.size() == 1) autosave.restore(found[0]);
+  autosave.save("scene=cgfs/lens");
+  if (outlived) autosave.outlived_start();
+  autosave.save("scene=cgfs/lens&pixel=1,2");
+  autosave.keep();
+  return found;
+}
+
+// A screen that ends the program whenever it is drawn must not end every start.
+TEST_F(SessionFiles, ARestoredSessionThatEndsAtOnceIsKnown) {
+  leave_behind(folder_, "scene=cgfs/lens");
+  EXPECT_FALSE(restored_and_ended(folder_, false).at(0).ended_at_once) << "was not restored before";
+  EXPECT_TRUE(restored_and_ended(folder_, true).at(0).ended_at_once);
+  EXPECT_FALSE(restored_and_ended(folder_, false).at(0).ended_at_once) << "the one before it had outlived its start";
+  const auto last = Autosave(folder_).take_left_behind();
+  ASSERT_EQ(last.size(), 1u);
+  EXPECT_TRUE(last[0].ended_at_once);
+  EXPECT_EQ(last[0].text, "scene=cgfs/lens&pixel=1,2");
+  EXPECT_TRUE(std::filesystem::exists(last[0].file)) << "put aside, not removed";
 }
 
 TEST_F(SessionFiles, DamagedAutosavesAreKeptAndNamed) {

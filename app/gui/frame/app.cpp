@@ -5,6 +5,7 @@
 #include <imgui_internal.h>  // ClosePopupToLevel
 
 #include <algorithm>
+#include <chrono>
 #include <sstream>
 #include <utility>
 
@@ -112,6 +113,8 @@ struct App::Parts {
   StatusBarState status_bar;
   Autosave autosave;
   std::optional<std::uint64_t> kept_revision;  ///< of the document, that was saved last
+  std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
+  std::uint64_t first_revision = 0;  ///< of the document, as it was opened
   bool offers_first_look = false;
   bool flying_now = false;
   double last_draw = 0;
@@ -151,6 +154,7 @@ App::Parts::Parts(Shell& of, const AppOptions& options, Document document)
     const LessonPlace place = parse_lesson_place(options.lesson);
     go_to_step(session, place.lesson, place.step);
   }
+  first_revision = session.revision();
   add_actions();
   offer_values();
 }
@@ -327,6 +331,9 @@ bool App::Parts::busy() const {
 
 /// What is open is to be there again after a crash, and how the window is divided at the next start.
 void App::Parts::keep_what_is_open() {
+  constexpr std::chrono::seconds start{30};
+  if (session.revision() != first_revision && std::chrono::steady_clock::now() - started >= start)
+    autosave.outlived_start();
   if (kept_revision == session.revision()) return;
   kept_revision = session.revision();
   autosave.save(session.permalink());
@@ -442,6 +449,7 @@ bool App::may_close() {
 
 void App::ended_from_outside() {
   parts_->keep_what_is_open();
+  parts_->autosave.outlived_start();  // it did not end by itself
   parts_->autosave.keep();
 }
 

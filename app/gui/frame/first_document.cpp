@@ -51,6 +51,14 @@ std::optional<Document> restored_document(Autosave& autosave, Session& session, 
   std::string others;
   for (const LeftBehind& left : autosave.take_left_behind()) {
     std::string problem = left.problem;
+    if (problem.empty() && left.ended_at_once) {
+      session.note_recent(left.file.string());
+      words.push_back({Message::Kind::warning,
+                       "Pixelscope ended right after it had restored a screen, which is therefore left out; Scene, "
+                       "Recent offers it: " +
+                           left.file.string()});
+      continue;
+    }
     if (problem.empty() && document) {
       session.note_recent(left.file.string());
       others += (others.empty() ? "" : ", ") + left.file.string();
@@ -64,7 +72,7 @@ std::optional<Document> restored_document(Autosave& autosave, Session& session, 
       problem = failure_text(error);
     }
     if (problem.empty()) {
-      autosave.forget(left);
+      autosave.restore(left);
       words.push_back(
           {Message::Kind::information, "Pixelscope did not end properly the last time. This was open then."});
     } else {

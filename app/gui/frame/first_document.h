@@ -27,7 +27,8 @@ Document first_document(const AppOptions& options);
 bool nothing_asked(const AppOptions& options);
 
 /// The newest of what programs that did not end properly had open, if it can be read. All others stay on disk, named
-/// and offered. `words` gets what the user should read about it.
+/// and offered, and so does one that was restored before and ended its program at once. `words` gets what the user
+/// should read about it.
 std::optional<Document> restored_document(Autosave& autosave, Session& session, std::vector<Message>& words);
 
 }  // namespace ps::gui

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
+#include <fstream>
 #include <utility>
 
 #include <fmt/format.h>
@@ -20,6 +21,7 @@ constexpr std::string_view prefix = "open-";
 constexpr const char* saved_ending = ".permalink";
 constexpr const char* lock_ending = ".lock";
 constexpr std::uintmax_t largest = 1 << 20;
+constexpr std::string_view restored_mark = "restored\n";
 
 bool is_digits(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
@@ -64,7 +66,15 @@ bool may_run(const std::string& owner) {
 struct Ended {
   std::optional<FileLock> lock;
   std::filesystem::path lock_file;
+  bool marked = false;  ///< as a restored session
 };
+bool is_marked(const std::filesystem::path& lock_file) {
+  try {
+    return read_whole_file(lock_file, largest) == restored_mark;
+  } catch (const InputError&) {
+    return false;
+  }
+}
 std::optional<Ended> ended(const SavedFile& saved) {
   auto lock_file = saved.path;
   lock_file.replace_extension(lock_ending);
@@ -77,7 +87,7 @@ std::optional<Ended> ended(const SavedFile& saved) {
   try {
     auto lock = FileLock::try_lock(lock_file);
     if (!lock || (!lock->guards() && may_run(saved.owner))) return {};
-    return Ended{std::move(lock), lock_file};
+    return Ended{std::move(lock), lock_file, is_marked(lock_file)};
   } catch (const InputError&) {
     return {};
   }
@@ -135,6 +145,7 @@ std::vector<LeftBehind> Autosave::take_left_behind() {
     LeftBehind session;
     session.saved = std::filesystem::last_write_time(file.path, error);
     session.file = moved_aside(file.path);
+    session.ended_at_once = owner->marked;
     if (!owner->lock_file.empty()) std::filesystem::remove(owner->lock_file, error);
     try {
       session.text = read_whole_file(session.file, largest);
@@ -161,12 +172,20 @@ bool Autosave::find_own_name() {
   return false;
 }
 
+void Autosave::outlived_start() {
+  if (!std::exchange(marked_, false) || name_.empty()) return;
+  std::ofstream(with_ending(lock_ending)).flush();  // empties it; the lock stays
+}
+
 void Autosave::save(const std::string& text) {
   if (folder_.empty() || text.empty() || text == saved_) return;
   std::error_code ignored;
   std::filesystem::create_directories(folder_, ignored);
   try {
-    if (name_.empty() && !find_own_name()) return folder_.clear();
+    if (name_.empty()) {
+      if (!find_own_name()) return folder_.clear();
+      if (marked_) std::ofstream(with_ending(lock_ending)) << restored_mark;
+    }
     write_file_atomically(with_ending(saved_ending), text, Durability::quick);
     saved_ = text;
     if (!restored_.empty()) std::filesystem::remove(std::exchange(restored_, {}), ignored);

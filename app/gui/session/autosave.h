@@ -14,6 +14,8 @@ struct LeftBehind {
   std::filesystem::file_time_type saved;
   std::string text;     ///< a permalink, unless `problem` says why it cannot be read
   std::string problem;  ///< "" if it was read
+  /// It was restored, and that program ended before Autosave::outlived_start(): shown again, it would do so again.
+  bool ended_at_once = false;
 };
 
 /// A file that holds what is open as long as the program runs: `open-HOST-PROCESS.permalink`, beside a lock file of the
@@ -28,10 +30,16 @@ class Autosave {
   Autosave& operator=(const Autosave&) = delete;
 
   /// What was left behind, the newest first. Each is moved to a name of its own, `left-behind-DATE.permalink`, where it
-  /// stays until forget(); another call finds none of them.
+  /// stays until restore(); another call finds none of them.
   std::vector<LeftBehind> take_left_behind();
-  /// Removes the file of one that was restored, as soon as this program has saved it as its own.
-  void forget(const LeftBehind& session) { restored_ = session.file; }
+  /// This program shows that session: its file is removed as soon as this program has saved it as its own, with the
+  /// mark that it was restored.
+  void restore(const LeftBehind& session) {
+    restored_ = session.file;
+    marked_ = true;
+  }
+  /// Takes the mark of a restored session away: its screen can be drawn and worked with.
+  void outlived_start();
   /// Saves `text` unless it is what was saved last. A failure is not reported, and ends all further tries.
   void save(const std::string& text);
   /// Leaves the file when this object goes: the program is ended from outside.
@@ -46,6 +54,7 @@ class Autosave {
   std::optional<FileLock> lock_;
   std::string saved_;
   std::filesystem::path restored_;
+  bool marked_ = false;  ///< in the lock file, as soon as there is one
   bool keep_ = false;
 };
 
