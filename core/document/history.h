@@ -17,8 +17,10 @@ class History {
   };
   /// Older entries than this are forgotten.
   static constexpr std::size_t limit = 1000;
+  /// So are older ones than those whose meshes and textures take this many bytes together.
+  static constexpr std::size_t byte_limit = std::size_t{512} << 20;
 
-  explicit History(Document start, std::string label = "start");
+  explicit History(Document start, std::string label = "start", std::size_t most_bytes = byte_limit);
 
   const Document& current() const { return entries_[place_].document; }
   /// Makes `document` the current one and drops what could be redone. A document equal to the current one changes
@@ -42,7 +44,10 @@ class History {
   void go_to(std::size_t place);
 
  private:
+  void forget_oldest();
+
   std::vector<Entry> entries_;
+  std::size_t most_bytes_;
   std::size_t place_ = 0;
   std::string drag_;
   std::uint64_t next_id_ = 1;

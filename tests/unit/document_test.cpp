@@ -7,6 +7,7 @@
 #include "document/number_list.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
+#include "scene/share_content.h"
 #include "support/stories.h"
 
 namespace ps {
@@ -137,6 +138,44 @@ TEST(History, PushDropsWhatCouldBeRedone) {
   history.push(with_depth(start, 7), "7");
   EXPECT_FALSE(history.can_redo());
   EXPECT_EQ(history.entries().size(), 2u);
+}
+
+/// A scene with a mesh of so many vertices.
+Scene scene_with_vertices(std::size_t count) {
+  Scene scene;
+  Mesh mesh;
+  mesh.positions.resize(count, Vec3d(0.5));
+  Geometry geometry;
+  geometry.meshes.push_back(std::make_shared<const Mesh>(std::move(mesh)));
+  scene.geometry = Part(std::move(geometry));
+  return scene;
+}
+
+TEST(History, ForgetsTheOldestWhereTheirMeshesTakeTooMuch) {
+  constexpr std::size_t vertices = 1000, bytes = vertices * sizeof(Vec3d);
+  History history(open_document("0", scene_with_vertices(vertices)), "0", 3 * bytes + bytes / 2);
+  for (int i = 1; i < 8; ++i)
+    history.push(open_document(std::to_string(i), scene_with_vertices(vertices)), std::to_string(i));
+  ASSERT_EQ(history.entries().size(), 3u);
+  EXPECT_EQ(history.entries().front().label, "5");
+  EXPECT_EQ(history.current().scene_name, "7");
+  // What shares the mesh costs nothing.
+  for (int depth = 4; depth < 24; ++depth) history.push(with_depth(history.current(), depth), "depth");
+  EXPECT_EQ(history.entries().size(), 23u);
+  // The current one stays however large it is.
+  history.push(open_document("large", scene_with_vertices(9 * vertices)), "large");
+  EXPECT_EQ(history.entries().size(), 1u);
+  EXPECT_FALSE(history.can_undo());
+}
+
+TEST(ShareContent, HoldsTheSameBytesOnce) {
+  const Scene first = scene_with_vertices(10);
+  const Scene same = share_content(scene_with_vertices(10), first);
+  EXPECT_EQ(same.geometry->meshes[0], first.geometry->meshes[0]);
+  const Scene other = share_content(scene_with_vertices(11), first);
+  EXPECT_NE(other.geometry->meshes[0], first.geometry->meshes[0]);
+  EXPECT_EQ(other.geometry->meshes[0]->positions.size(), 11u);
+  EXPECT_TRUE(share_content(Scene{}, first).geometry->meshes.empty());
 }
 
 TEST(History, NothingNewIsNoEntry) {

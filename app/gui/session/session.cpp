@@ -15,6 +15,7 @@
 #include "engine/lesson.h"
 #include "engine/lesson_place.h"
 #include "scene/load.h"
+#include "scene/share_content.h"
 
 namespace ps::gui {
 namespace {
@@ -235,7 +236,21 @@ void Session::open(const std::string& path_or_name) {
   }
   if (is_picture_file(path_or_name)) return open_picture_b(path_or_name);
   load(
-      path_or_name, [path_or_name] { return open_document(path_or_name, load_scene(path_or_name)); }, Reason::open);
+      path_or_name,
+      [path_or_name, earlier = earlier_scene(path_or_name)] {
+        return open_document(path_or_name, share_content(load_scene(path_or_name), earlier));
+      },
+      Reason::open);
+}
+
+/// The scene of that name as it was loaded last, if the history has it: what the file still holds need not be kept
+/// twice.
+Scene Session::earlier_scene(const std::string& name) const {
+  if (!history_) return {};
+  const auto& entries = history_->entries();
+  const auto found = std::find_if(entries.rbegin(), entries.rend(),
+                                  [&](const History::Entry& entry) { return entry.document.scene_name == name; });
+  return found == entries.rend() ? Scene{} : found->document.base;
 }
 
 void Session::open_permalink(const std::string& text) {
@@ -248,7 +263,7 @@ void Session::reload() {
   load(
       document_.scene_name,
       [document = document_]() mutable {
-        attach_scene(document, load_scene(document.scene_name));
+        attach_scene(document, share_content(load_scene(document.scene_name), document.base));
         return document;
       },
       Reason::reload);

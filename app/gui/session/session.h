@@ -157,6 +157,7 @@ class Session {
     Reason reason = Reason::open;
   };
   void say_step(const std::string& did, const std::string& step);
+  Scene earlier_scene(const std::string& name) const;
   void load(const std::string& name, std::function<Document()> make, Reason reason);
   bool take_loaded();
   void take_up(Document document, Reason reason, const std::string& drag = {});
