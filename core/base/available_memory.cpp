@@ -65,12 +65,14 @@ std::optional<std::uint64_t> available_memory() {
   return least;
 }
 
+std::uint64_t usable_part(std::uint64_t available) { return available / 4 * 3; }
+
 void require_memory(std::uint64_t bytes, std::optional<std::uint64_t> available, std::string_view what,
                     std::string_view cure) {
   constexpr std::uint64_t always_there = 256u << 20;  // too little to refuse by an estimate
-  if (!available || bytes <= always_there || bytes <= *available / 4 * 3) return;
+  if (!available || bytes <= always_there || bytes <= usable_part(*available)) return;
   throw InputError(fmt::format("{} need {} of memory, and this computer can spare {}: {}", what, in_gigabytes(bytes),
-                               in_gigabytes(*available / 4 * 3), cure));
+                               in_gigabytes(usable_part(*available)), cure));
 }
 
 }  // namespace ps

@@ -9,8 +9,11 @@ namespace ps {
 /// process (ulimit -v) ends first. Nothing where the system does not say.
 std::optional<std::uint64_t> available_memory();
 
-/// Throws InputError if `bytes`, which `what` (plural) need, are more than three quarters of `available`: the rest of
-/// the program, and of the computer, needs some too. The message names both, and then `cure`.
+/// What may be used of `available` bytes: the rest of the program, and of the computer, needs some too.
+std::uint64_t usable_part(std::uint64_t available);
+
+/// Throws InputError if `bytes`, which `what` (plural) need, are more than the usable part of `available`. The message
+/// names both, and then `cure`.
 void require_memory(std::uint64_t bytes, std::optional<std::uint64_t> available, std::string_view what,
                     std::string_view cure);
 

@@ -2,11 +2,22 @@
 
 #include <algorithm>
 
+#include "base/available_memory.h"
+
 namespace ps {
 namespace {
 
 /// A and B, each with a coarse and a fine picture, may need different versions of one product.
 constexpr int versions_kept = 4;
+
+/// Less than this is kept without asking what the computer can spare.
+constexpr std::size_t always_kept = std::size_t{256} << 20;
+
+/// Bytes that all products together may take.
+std::size_t most_bytes(std::size_t taken) {
+  const auto available = available_memory();
+  return available ? usable_part(*available + taken) : taken;
+}
 
 }  // namespace
 
@@ -30,6 +41,11 @@ void Prepared::keep(const Key& key, std::shared_ptr<const void> value, std::size
     else
       ++entry;
   }
+  std::size_t taken = 0;
+  for (const Entry& entry : entries_) taken += entry.bytes;
+  if (taken <= always_kept) return;
+  for (const std::size_t most = most_bytes(taken); taken > most && entries_.size() > 1; entries_.pop_back())
+    taken -= entries_.back().bytes;
 }
 
 std::size_t Prepared::bytes() const {

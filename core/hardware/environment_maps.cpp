@@ -17,8 +17,9 @@ std::shared_ptr<const raster::EnvironmentMaps> draw_environment(const PicturePla
   if (!plan.mirrors) return nullptr;
   RenderRequest request;
   request.priority = priority;
-  Prepared own;  // the objects shown are a scene of their own; its products would push out the picture's
-  return raster::draw_environment_maps(*plan.scene, plan.settings, prepared,
+  Prepared own;              // the objects shown are a scene of their own; its products would push out the picture's
+  constexpr int copies = 2;  // one of them in the memory of the driver
+  return raster::draw_environment_maps(*plan.scene, plan.settings, prepared, copies,
                                        [&](const Scene& shown, const View& view, const Settings& plain) {
                                          return render_hardware(shown, view, plain, request, own, progress).colour;
                                        });

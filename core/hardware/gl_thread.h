@@ -10,6 +10,7 @@
 #include "hardware/context.h"
 #include "hardware/environment_maps.h"
 #include "hardware/geometry_buffer.h"
+#include "hardware/least_recent.h"
 #include "hardware/mesh_buffers.h"
 #include "hardware/program.h"
 #include "hardware/sample_reader.h"
@@ -33,6 +34,7 @@ struct KeptProgram {
   std::string vertex_file, fragment_file, definitions;
   std::span<const char* const> captured;
   std::unique_ptr<Program> program;
+  std::uint64_t used = 0;  ///< Workshop::clock of then
 };
 
 /// What is kept in the memory of the driver between pictures.
@@ -45,6 +47,7 @@ struct Workshop {
   EnvironmentStore environment;
   ShaderFiles shaders;
   std::map<std::string, KeptProgram> programs;  ///< by their definitions
+  std::uint64_t clock = 0;                      ///< counts uses of programs
   std::unique_ptr<Target> target;               ///< of the last picture
   std::unique_ptr<GeometryBuffer> geometry;     ///< of the last picture with deferred shading
   std::unique_ptr<Target> story_picture;        ///< the same of the last story of a pixel
@@ -55,10 +58,14 @@ struct Workshop {
   unsigned vertex_array = 0, lights = 0;
 
   const Driver& driver() const { return context.driver(); }
-  /// Drops meshes and textures that no scene holds any more. Before a picture.
+  /// Between pictures this many are kept: a driver on the processor holds about a megabyte of machine code for each.
+  static constexpr std::size_t most_programs = 64;
+  /// Drops meshes and textures that no scene holds any more, and the programs that were not used for the longest time.
+  /// Before a picture.
   void tidy() {
     meshes.tidy();
     textures.tidy();
+    while (programs.size() > most_programs) programs.erase(least_recent(programs));
   }
   /// Drops the meshes and textures of all scenes. Before a picture.
   void forget_scenes() {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "hardware/context.h"
+#include "hardware/least_recent.h"
 #include "math/unit.h"
 #include "shade/normal_mapping.h"
 
@@ -128,11 +129,16 @@ MeshBuffers::MeshBuffers(const Mesh& mesh) : centre_(middle_of(mesh)) {
 
 MeshBuffers::~MeshBuffers() { glDeleteBuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data()); }
 
+std::uint64_t MeshBuffers::missing_bytes(Stream stream, const Mesh& mesh) const {
+  if (buffers_[static_cast<std::size_t>(stream)] != 0) return 0;
+  return mesh.triangles.size() * 3 * static_cast<std::uint64_t>(width_of(stream)) * sizeof(float);
+}
+
 void MeshBuffers::need(Stream stream, const Mesh& mesh) {
   GLuint& buffer = buffers_[static_cast<std::size_t>(stream)];
   if (buffer != 0) return;
   std::vector<float> values;
-  values.reserve(mesh.triangles.size() * 3 * static_cast<std::size_t>(width_of(stream)));
+  values.reserve(missing_bytes(stream, mesh) / sizeof(float));
   const CornerValues corners(mesh, centre_);
   for (const MeshTriangle& triangle : mesh.triangles)
     for (std::size_t k = 0; k < 3; ++k) corners.add(stream, triangle, k, values);
@@ -162,8 +168,7 @@ void MeshStore::tidy() {
   std::size_t bytes = 0;
   for (const auto& [mesh, entry] : entries_) bytes += entry.buffers->bytes();
   while (bytes > most_bytes && entries_.size() > 1) {
-    const auto oldest = std::min_element(entries_.begin(), entries_.end(),
-                                         [](const auto& a, const auto& b) { return a.second.used < b.second.used; });
+    const auto oldest = least_recent(entries_);
     bytes -= oldest->second.buffers->bytes();
     entries_.erase(oldest);
   }

@@ -43,6 +43,8 @@ class MeshBuffers {
   MeshBuffers(const MeshBuffers&) = delete;
   MeshBuffers& operator=(const MeshBuffers&) = delete;
 
+  /// What need() would upload.
+  std::uint64_t missing_bytes(Stream stream, const Mesh& mesh) const;
   /// Uploads it if it is not there yet.
   void need(Stream stream, const Mesh& mesh);
   /// Makes a stream that is there the input of its location.

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
+#include "base/available_memory.h"
 #include "base/check.h"
 #include "base/stop.h"
 #include "hardware/definitions.h"
@@ -52,6 +54,7 @@ void PictureDrawer::upload() {
   if (shop_.vertex_array == 0) glGenVertexArrays(1, &shop_.vertex_array);
   glBindVertexArray(shop_.vertex_array);
   upload_lights();
+  require_room_for_meshes();
   for (std::size_t i = 0; i < plan_.objects.size(); ++i) upload_object(i);
   for (const raster::Surface<float>& surface : plan_.surfaces.list) {
     check_stop();
@@ -68,6 +71,18 @@ void PictureDrawer::upload() {
   glGenQueries(1, &query_);
   glFinish();  // what is uploaded belongs to the time of the upload, and not to that of drawing
   check_gl("uploading the scene");
+}
+
+void PictureDrawer::require_room_for_meshes() {
+  std::uint64_t bytes = 0;
+  std::set<const Mesh*> counted;  // objects may share one
+  for (std::size_t i = 0; i < plan_.objects.size(); ++i) {
+    const std::shared_ptr<const Mesh>& mesh = plan_.objects[i].mesh;
+    if (!counted.insert(mesh.get()).second) continue;
+    for (const Stream stream : streams_of(i)) bytes += shop_.meshes.get(mesh).missing_bytes(stream, *mesh);
+  }
+  require_memory(bytes, available_memory(), "the vertices in the memory of the graphics driver",
+                 "set a larger 'tessellation', or draw a smaller picture or fewer triangles");
 }
 
 void PictureDrawer::upload_lights() {

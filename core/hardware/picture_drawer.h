@@ -41,6 +41,7 @@ class PictureDrawer {
   std::uint64_t triangles() const { return triangles_; }
 
  protected:
+  void require_room_for_meshes();
   void upload_lights();
   void upload_object(std::size_t object);
   void snap_vertices(std::size_t object);

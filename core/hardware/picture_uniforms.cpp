@@ -47,10 +47,11 @@ Program& PictureDrawer::program_of(const char* vertex_file, const char* fragment
                                    std::span<const char* const> captured) {
   KeptProgram& kept = shop_.programs[fragment_file + definitions];
   if (!kept.program) {
-    KeptProgram made{vertex_file, fragment_file, definitions, captured, nullptr};
+    KeptProgram made{vertex_file, fragment_file, definitions, captured, nullptr, 0};
     made.program = make_program(made, shop_.shaders, shop_.context.api());
     kept = std::move(made);
   }
+  kept.used = ++shop_.clock;
   return *kept.program;
 }
 

@@ -5,13 +5,17 @@
 
 #include <algorithm>
 
+#include "base/available_memory.h"
 #include "base/check.h"
 #include "hardware/context.h"
+#include "hardware/least_recent.h"
 #include "hardware/level_atlas.h"
 #include "raster/setup/textures.h"
 
 namespace ps::hardware {
 namespace {
+
+constexpr std::uint64_t most_bytes = std::uint64_t{1} << 30;
 
 GLint minifying(TextureFilter filter) {
   switch (filter) {
@@ -96,7 +100,15 @@ Vec4<int> TextureStore::bind(const MipChain& chain, int unit, const Settings& se
   Entry& entry = entries_[{&base, settings.hardware_texturing}];
   if (entry.base.lock() != chain.base || entry.levels != chain.levels()) {
     if (entry.texture != 0) glDeleteTextures(1, &entry.texture);
-    entry = {chain.base, chain.levels(), 0};
+    const std::uint64_t bytes =
+        by_driver ? base.pixels().size_bytes() + chain.heap_bytes()
+                  : sizeof(Vec3f) * static_cast<std::uint64_t>(atlas.width) * static_cast<std::uint64_t>(atlas.height);
+    entry = {};
+    require_memory(bytes, available_memory(),
+                   fmt::format("the {} x {} texels of a texture in the memory of the graphics driver", base.width(),
+                               base.height()),
+                   "use a smaller one");
+    entry = {chain.base, chain.levels(), 0, bytes, 0};
     glGenTextures(1, &entry.texture);
     glBindTexture(GL_TEXTURE_2D, entry.texture);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
@@ -106,6 +118,7 @@ Vec4<int> TextureStore::bind(const MipChain& chain, int unit, const Settings& se
       upload_atlas(chain, atlas);
     check_gl("uploading a texture");
   }
+  entry.used = ++clock_;
   glBindTexture(GL_TEXTURE_2D, entry.texture);
   if (by_driver) set_filter(settings, raster::wrap_of(chain, settings));
   return atlas.layout;
@@ -117,6 +130,14 @@ void TextureStore::tidy() {
     glDeleteTextures(1, &entry.second.texture);
     return true;
   });
+  std::uint64_t bytes = 0;
+  for (const auto& [key, entry] : entries_) bytes += entry.bytes;
+  while (bytes > most_bytes && entries_.size() > 1) {
+    const auto oldest = least_recent(entries_);
+    bytes -= oldest->second.bytes;
+    glDeleteTextures(1, &oldest->second.texture);
+    entries_.erase(oldest);
+  }
 }
 
 }  // namespace ps::hardware

@@ -10,8 +10,8 @@ namespace ps::raster {
 using DrawColours = std::function<Image<Vec3f>(const Scene& shown, const View& view, const Settings& settings)>;
 
 /// The maps of all mirrors, drawn by the renderer of the settings and kept in `prepared`. environment_maps() draws them
-/// with the rasterizer.
+/// with the rasterizer. Throws InputError where the computer cannot spare what `copies` of them take.
 std::shared_ptr<const EnvironmentMaps> draw_environment_maps(const Scene& scene, const Settings& settings,
-                                                             Prepared& prepared, const DrawColours& draw);
+                                                             Prepared& prepared, int copies, const DrawColours& draw);
 
 }  // namespace ps::raster

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "frame/memory_need.h"
 #include "options/option.h"
 #include "raster/environment/draw_environment.h"
 #include "raster/environment/map_sources.h"
@@ -111,12 +112,22 @@ Key map_key(std::string_view of, const Scene& scene, const Settings& settings) {
   return key;
 }
 
+/// What the maps of so many mirrors take.
+MemoryNeed need_of(std::uint64_t mirrors, const Settings& settings, int copies) {
+  const auto size = static_cast<std::uint64_t>(settings.environment_size);
+  return {mirrors * 6 * size * size * sizeof(Vec3f) * static_cast<std::uint64_t>(copies),
+          fmt::format("the environment maps of {} mirrors with {} x {} texels", mirrors, size, size),
+          "set a smaller 'environment-size', or 'environment' to room-map"};
+}
+
 /// Makes the maps that are not in `prepared`.
 class MapMaker {
  public:
-  MapMaker(const Scene& scene, const Settings& settings, Prepared& prepared, const DrawColours& draw)
-      : scene_(scene), settings_(settings), prepared_(prepared), draw_(draw), fixed_only_(shows_static_only(settings)) {
-  }
+  /// `mirrors` objects are going to ask for their maps, of which there will be so many `copies`.
+  MapMaker(const Scene& scene, const Settings& settings, Prepared& prepared, std::uint64_t mirrors, int copies,
+           const DrawColours& draw)
+      : scene_(scene), settings_(settings), prepared_(prepared), left_(mirrors), copies_(copies), draw_(draw),
+        fixed_only_(shows_static_only(settings)) {}
 
   /// The map of a mirror: all other objects, or the static ones among them. One that shows static objects alone depends
   /// on none that moves but on its own place.
@@ -129,7 +140,10 @@ class MapMaker {
                   .add(static_cast<std::uint64_t>(left_out));
     const Vec3d centre = centre_of(scene_, mirror);
     for (int axis = 0; axis < 3; ++axis) key.add(centre[axis]);
+    const std::uint64_t still_to_make = left_--;
     return prepared_.get<EnvironmentMap>(key, [&] {
+      if (!asked_) require(need_of(still_to_make, settings_, copies_), prepared_);
+      asked_ = true;
       const Scene shown =
           only(scene_, [&](const Object& o, std::size_t k) { return k != mirror && !(fixed_only_ && o.dynamic); });
       return look_around(shown, centre, left_out, settings_, draw_);
@@ -147,6 +161,7 @@ class MapMaker {
                         .add(number_of_shown(scene_, prepared_, keep))
                         .add(static_cast<std::uint64_t>(left_out));
     return prepared_.get<EnvironmentMap>(key, [&] {
+      require(need_of(1, settings_, copies_), prepared_);
       const Scene room = only(scene_, [&](const Object& o, std::size_t) { return keep(o); });
       return look_around(room, shadow_casters(room).centre, left_out, settings_, draw_);
     });
@@ -164,6 +179,9 @@ class MapMaker {
   const Scene& scene_;
   const Settings& settings_;
   Prepared& prepared_;
+  std::uint64_t left_;  ///< mirrors that have not asked
+  const int copies_;
+  bool asked_ = false;  ///< for the memory of all that are left
   const DrawColours& draw_;
   const bool fixed_only_;
   std::optional<std::uint64_t> shown_;
@@ -176,10 +194,12 @@ bool uses_environment(const Settings& settings, const Scene& scene) {
 }
 
 std::shared_ptr<const EnvironmentMaps> draw_environment_maps(const Scene& scene, const Settings& settings,
-                                                             Prepared& prepared, const DrawColours& draw) {
+                                                             Prepared& prepared, int copies, const DrawColours& draw) {
   const auto& objects = scene.geometry->objects;
   auto maps = std::make_shared<EnvironmentMaps>(objects.size());
-  MapMaker maker(scene, settings, prepared, draw);
+  const auto mirrors =
+      std::count_if(objects.begin(), objects.end(), [&](const Object& o) { return reflective(scene, o) > 0; });
+  MapMaker maker(scene, settings, prepared, static_cast<std::uint64_t>(mirrors), copies, draw);
   std::shared_ptr<const EnvironmentMap> room;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (!(reflective(scene, objects[i]) > 0)) continue;
@@ -206,7 +226,7 @@ std::shared_ptr<const EnvironmentMaps> environment_maps(const Scene& scene, cons
   RenderRequest request;
   request.priority = priority;
   Prepared own;  // the objects shown are a scene of their own; its products would push out the picture's
-  return draw_environment_maps(scene, own_settings, prepared,
+  return draw_environment_maps(scene, own_settings, prepared, 1,
                                [&](const Scene& shown, const View& view, const Settings& plain) {
                                  return render_rasterized(shown, view, plain, request, own, progress).colour;
                                });

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <glm/matrix.hpp>
 
 #include "base/stop.h"
+#include "frame/memory_need.h"
 #include "raster/setup/place_mesh.h"
 #include "raster/setup/tessellate.h"
 #include "raster/setup/tessellate_patches.h"
@@ -47,26 +49,56 @@ Mat3d linear_part(const Transform& transform) {
                transform.rotation[2] * transform.scale.z);
 }
 
-/// The model of an instance, cut into triangles anew where it is curved and the settings ask for it.
-std::shared_ptr<const Mesh> curved_model(const Scene& scene, const Object& object, Patches patches,
-                                         const TessellationView& view) {
+/// The model of an instance that is curved, where the settings ask for its triangles anew; else null.
+const Mesh* curved_model(const Scene& scene, const Object& object, Patches patches) {
   const auto* instance = std::get_if<Instance>(&object.shape);
   if (!instance || patches != Patches::projected_error) return nullptr;
   const Mesh& model = *scene.geometry->meshes.at(instance->mesh);
-  if (model.patches.empty()) return nullptr;
-  std::vector<BezierPatch> world = model.patches;
-  const Mat3d linear = linear_part(instance->transform);
-  for (BezierPatch& patch : world)
-    for (Vec3d& p : patch.control) p = linear * p + instance->transform.translation;
-  Mesh mesh = tessellate(model.patches, patch_divisions(world, view));
-  mesh.materials = model.materials;
-  return std::make_shared<const Mesh>(std::move(mesh));
+  return model.patches.empty() ? nullptr : &model;
 }
+
+int divisions_of(const Mesh& model, const Object& object, const TessellationView& view) {
+  const Transform& transform = std::get<Instance>(object.shape).transform;
+  std::vector<BezierPatch> world = model.patches;
+  const Mat3d linear = linear_part(transform);
+  for (BezierPatch& patch : world)
+    for (Vec3d& p : patch.control) p = linear * p + transform.translation;
+  return patch_divisions(world, view);
+}
+
+/// The view by which a solid is cut into triangles, in its own space.
+TessellationView seen_from_solid(const Solid& solid, const TessellationView& view) {
+  return solid.place.is_identity() ? view : seen_from_within(solid.place, view);
+}
+
+/// How fine each curved model is cut, and the triangles of all objects together.
+struct TriangleCount {
+  std::vector<int> divisions;  ///< by object; 0 = not a curved model
+  std::uint64_t triangles = 0;
+};
+
+TriangleCount count_triangles(const Scene& scene, const Settings& settings, const TessellationView& view) {
+  TriangleCount count;
+  for (const Object& object : scene.geometry->objects) {
+    check_stop();
+    const Mesh* model = curved_model(scene, object, settings.patches);
+    count.divisions.push_back(model ? divisions_of(*model, object, view) : 0);
+    const auto divisions = static_cast<std::uint64_t>(count.divisions.back());
+    if (model) count.triangles += model->patches.size() * 2 * divisions * divisions;
+    if (const auto* sphere = std::get_if<Sphere>(&object.shape)) count.triangles += sphere_triangles(*sphere, view);
+    if (const auto* solid = std::get_if<Solid>(&object.shape))
+      count.triangles += solid_triangles(*solid, seen_from_solid(*solid, view));
+  }
+  return count;
+}
+
+/// With a share of the vertices, and what a pass makes of each before it is drawn.
+constexpr std::uint64_t bytes_of_triangle = 144;
 
 /// A box, plane or the like in the world.
 Mesh mesh_of_solid(const Scene& scene, const Solid& solid, const TessellationView& view) {
-  if (solid.place.is_identity()) return tessellate_solid(solid, view);
-  Mesh mesh = tessellate_solid(solid, seen_from_within(solid.place, view));
+  Mesh mesh = tessellate_solid(solid, seen_from_solid(solid, view));
+  if (solid.place.is_identity()) return mesh;
   const auto* ball = std::get_if<Ball>(&solid.form);
   if (ball && needs_uv(scene.materials->at(solid.material))) add_world_map_uvs(mesh, ball->centre);
   place_mesh(solid.place, mesh);
@@ -102,8 +134,15 @@ std::shared_ptr<const Meshes> tessellations(const Scene& scene, const View& view
   return prepared.get<Meshes>(key, [&] {
     TessellationView seen_from = make_tessellation_view(view.camera, viewport, settings.near, settings.tessellation);
     seen_from.far_side = far_side(settings);
+    const TriangleCount count = count_triangles(scene, settings, seen_from);
+    require({count.triangles * bytes_of_triangle,
+             fmt::format("the {} triangles of spheres and curved models", count.triangles),
+             "set a larger 'tessellation', or draw a smaller picture"},
+            prepared);
     Meshes meshes;
-    for (const Object& object : scene.geometry->objects) {
+    const auto& objects = scene.geometry->objects;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      const Object& object = objects[i];
       check_stop();
       const auto* sphere = std::get_if<Sphere>(&object.shape);
       const auto* solid = std::get_if<Solid>(&object.shape);
@@ -114,8 +153,12 @@ std::shared_ptr<const Meshes> tessellations(const Scene& scene, const View& view
         meshes.add(std::make_shared<const Mesh>(std::move(mesh)));
       } else if (solid) {
         meshes.add(std::make_shared<const Mesh>(mesh_of_solid(scene, *solid, seen_from)));
+      } else if (const Mesh* model = curved_model(scene, object, settings.patches)) {
+        Mesh mesh = tessellate(model->patches, count.divisions[i]);
+        mesh.materials = model->materials;
+        meshes.add(std::make_shared<const Mesh>(std::move(mesh)));
       } else {
-        meshes.add(curved_model(scene, object, settings.patches, seen_from));
+        meshes.add(nullptr);
       }
     }
     return meshes;
@@ -170,11 +213,9 @@ DrawObject place_instance(const Scene& scene, int index, const Instance& instanc
 std::vector<DrawObject> make_draw_list(const Scene& scene, const View& view, const Settings& settings,
                                        const Viewport<double>& viewport, Prepared& prepared) {
   const auto& objects = scene.geometry->objects;
-  const bool anew = settings.patches == Patches::projected_error;
   const bool any_sphere = std::any_of(objects.begin(), objects.end(), [&](const Object& o) {
-    const auto* instance = std::get_if<Instance>(&o.shape);
-    return instance ? anew && !scene.geometry->meshes.at(instance->mesh)->patches.empty()
-                    : std::holds_alternative<Sphere>(o.shape) || std::holds_alternative<Solid>(o.shape);
+    return std::holds_alternative<Sphere>(o.shape) || std::holds_alternative<Solid>(o.shape) ||
+           curved_model(scene, o, settings.patches) != nullptr;
   });
   const auto spheres = any_sphere ? tessellations(scene, view, settings, viewport, prepared) : nullptr;
   const auto models = known_models(scene, prepared);

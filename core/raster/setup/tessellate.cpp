@@ -79,6 +79,31 @@ int ring_segments(const Outlook& outlook, const std::vector<double>& rings) {
   return static_cast<int>(std::ceil(std::min<double>(segments, max_sphere_segments)));
 }
 
+/// The rings from the first pole to the last one, or to the second pole.
+struct Rings {
+  std::vector<double> angles;  ///< from the axis
+  int segments = 0;
+  bool closed = false;
+
+  std::uint64_t triangles() const {
+    const std::uint64_t bands = std::max<std::size_t>(angles.size(), 1) - 1, fans = closed ? 2 : 1;
+    return static_cast<std::uint64_t>(segments) * (2 * bands + fans);
+  }
+};
+
+Rings rings_of(const Outlook& outlook) {
+  Rings rings{front_rings(outlook)};
+  rings.segments = ring_segments(outlook, rings.angles);
+  const int front = static_cast<int>(rings.angles.size());
+  const double back_angle = pi - outlook.horizon;
+  const int back = std::min(std::max(2, static_cast<int>(std::ceil(front * back_angle / outlook.horizon))), 64);
+  rings.closed = outlook.view->far_side == FarSide::seen || outlook.eye_inside() ||
+                 2 * rings.segments * (front + back) <= max_closed_triangles;
+  if (rings.closed)
+    for (int i = 1; i < back; ++i) rings.angles.push_back(outlook.horizon + back_angle * i / back);
+  return rings;
+}
+
 /// Two directions perpendicular to `axis` and to each other, so that side x other = axis.
 void perpendicular(const Vec3d& axis, Vec3d& side, Vec3d& other) {
   const Vec3d helper = std::abs(axis.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
@@ -169,22 +194,15 @@ TessellationView make_tessellation_view(const Camera& camera, const Viewport<dou
 
 Mesh tessellate_sphere(const Sphere& sphere, const TessellationView& view) {
   const Outlook outlook = look_at(sphere, view);
-  const std::vector<double> rings = front_rings(outlook);
-  const int segments = ring_segments(outlook, rings);
-  const int front = static_cast<int>(rings.size());
-  const double back_angle = pi - outlook.horizon;
-  const int back = std::max(2, static_cast<int>(std::ceil(front * back_angle / outlook.horizon)));
-  const bool closed = view.far_side == FarSide::seen || outlook.eye_inside() ||
-                      2 * segments * (front + std::min(back, 64)) <= max_closed_triangles;
-
-  MeshBuilder builder(sphere, outlook, segments);
-  for (const double angle : rings) builder.ring(angle);
-  if (closed) {
-    const int back_rings = std::min(back, 64);
-    for (int i = 1; i < back_rings; ++i) builder.ring(outlook.horizon + back_angle * i / back_rings);
-    builder.close();
-  }
+  const Rings rings = rings_of(outlook);
+  MeshBuilder builder(sphere, outlook, rings.segments);
+  for (const double angle : rings.angles) builder.ring(angle);
+  if (rings.closed) builder.close();
   return builder.take();
+}
+
+std::uint64_t sphere_triangles(const Sphere& sphere, const TessellationView& view) {
+  return rings_of(look_at(sphere, view)).triangles();
 }
 
 }  // namespace ps::raster

@@ -33,4 +33,7 @@ TessellationView make_tessellation_view(const Camera& camera, const Viewport<dou
 /// cap, unless its far side is seen: the part that can be seen, from the point nearest the eye to the horizon.
 Mesh tessellate_sphere(const Sphere& sphere, const TessellationView& view);
 
+/// How many triangles that mesh has, without making it.
+std::uint64_t sphere_triangles(const Sphere& sphere, const TessellationView& view);
+
 }  // namespace ps::raster

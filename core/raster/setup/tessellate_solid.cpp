@@ -69,14 +69,20 @@ void build_rectangle(const FormFrame& f, Builder& builder) {
                 {f.centre + b, n, {0, 0}}});
 }
 
-void build_plane(const FormFrame& f, const TessellationView& view, Builder& builder) {
-  const Vec3d& n = f.axes[2];
-  const double height = dot(view.eye - f.centre, n);
-  const Vec3d below = view.eye - n * height;
+/// The radii of a plane's rings around the point below the eye.
+std::vector<double> plane_rings(const FormFrame& f, const TessellationView& view) {
   // A quarter of it, the first ring, must not round to 0: it would never grow.
   constexpr double least = 1e-300;
-  const double first = std::max({std::abs(height), view.nearest, least});
+  const double first = std::max({std::abs(dot(view.eye - f.centre, f.axes[2])), view.nearest, least});
   const double widest = 2 * first * std::max(view.pixels_per_unit, 16.0);
+  std::vector<double> radii{first / 4};
+  while (radii.back() < widest) radii.push_back(radii.back() * ring_growth);
+  return radii;
+}
+
+void build_plane(const FormFrame& f, const TessellationView& view, Builder& builder) {
+  const Vec3d& n = f.axes[2];
+  const Vec3d below = view.eye - n * dot(view.eye - f.centre, n);
   const auto corner = [&](double radius, int segment) {
     const double turn = 2 * pi * segment / plane_segments;
     const Vec3d position = below + (f.axes[0] * portable::cos(turn) + f.axes[1] * portable::sin(turn)) * radius;
@@ -86,7 +92,7 @@ void build_plane(const FormFrame& f, const TessellationView& view, Builder& buil
   const std::uint32_t middle = corner(0, 0);
   std::uint32_t inner = 0;
   bool fan = true;
-  for (double radius = first / 4;; radius *= ring_growth) {
+  for (const double radius : plane_rings(f, view)) {
     std::uint32_t outer = 0;
     for (int i = 0; i < plane_segments; ++i) {
       const std::uint32_t index = corner(radius, i);
@@ -103,7 +109,6 @@ void build_plane(const FormFrame& f, const TessellationView& view, Builder& buil
     }
     inner = outer;
     fan = false;
-    if (radius >= widest) break;
   }
 }
 
@@ -196,6 +201,25 @@ Mesh tessellate_solid(const Solid& solid, const TessellationView& view) {
   }
   if (is_flat(solid.form) && solid.sides == Sides::two) builder.add_back();
   return builder.take();
+}
+
+std::uint64_t solid_triangles(const Solid& solid, const TessellationView& view) {
+  const FormFrame frame = form_frame(solid.form);
+  require_finite(frame, view);
+  const std::uint64_t faces = is_flat(solid.form) && solid.sides == Sides::two ? 2 : 1;
+  switch (frame.kind) {
+  case FormKind::ball:
+    return sphere_triangles({frame.centre, frame.half.x, solid.material}, view);
+  case FormKind::plane:
+    return faces * plane_segments * (2 * plane_rings(frame, view).size() - 1);
+  case FormKind::rectangle:
+    return faces * 2;
+  case FormKind::brick:
+    return 12;
+  case FormKind::cylinder:
+    return 4 * static_cast<std::uint64_t>(cylinder_segments(frame, view));
+  }
+  return 0;
 }
 
 void add_world_map_uvs(Mesh& mesh, const Vec3d& centre) {

@@ -10,6 +10,9 @@ namespace ps::raster {
 /// most max_error pixels. Throws InputError for a solid or a view that is not finite.
 Mesh tessellate_solid(const Solid& solid, const TessellationView& view);
 
+/// How many triangles that mesh has, without making it.
+std::uint64_t solid_triangles(const Solid& solid, const TessellationView& view);
+
 /// Texture coordinates of the world map (scene/uv_maps.h) for a sphere's mesh. Triangles on the seam get coordinates
 /// beyond 1, which a repeating texture wraps.
 void add_world_map_uvs(Mesh& mesh, const Vec3d& centre);
