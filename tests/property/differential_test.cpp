@@ -1,7 +1,7 @@
 // Random scenes under random options, drawn again in every way that may not change a bit: on each SIMD target, with
 // more threads, with another accelerator, in part, and pixel by pixel by the inspector. PIXELSCOPE_TEST_SEED repeats a
 // run, PIXELSCOPE_FUZZ_SECONDS lengthens it; `tests/run --fuzz` does. Then a quarter of the scenes hold extreme
-// numbers.
+// numbers. Another quarter is without casters, lights or objects, and an eighth of the pictures has an extreme size.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -16,6 +16,7 @@
 #include "options/scene_settings.h"
 #include "render/render.h"
 #include "scene/load.h"
+#include "support/bare_scene.h"
 #include "support/environment.h"
 #include "support/hostile_scene.h"
 #include "support/random_scene.h"
@@ -115,7 +116,17 @@ std::optional<Subject> random_subject(Random& random, Numbers numbers) {
     subject.scene = test::random_scene(seed);
     subject.words = fmt::format("random_scene({})", seed);
   }
+  if (below(random, 4) == 0) {
+    const test::Bare what = test::all_bare[static_cast<std::size_t>(below(random, int(test::all_bare.size())))];
+    subject.scene = test::bare_scene(std::move(subject.scene), what);
+    subject.words += std::string(" ") + std::string(test::bare_name(what));
+  }
   subject.view = {subject.scene.camera, 16 + below(random, 33), 12 + below(random, 25)};
+  if (below(random, 8) == 0) {  // a picture of a few pixels, or of one row or column
+    subject.view.width = below(random, 2) == 0 ? 1 + below(random, 3) : 1 + below(random, 600);
+    subject.view.height = 1 + below(random, 3);
+    if (below(random, 2) == 0) std::swap(subject.view.width, subject.view.height);
+  }
   try {
     subject.settings = random_settings(subject.scene, random);
   } catch (const InputError&) {  // an extreme number among the scene's own settings
