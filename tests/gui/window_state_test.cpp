@@ -193,24 +193,47 @@ bool appears(const std::filesystem::path& folder, const std::string& beginning, 
   return false;
 }
 
+/// Sends a signal to a window that plays the commands, once appears() finds the text. Gives its wait status.
+int window_ended_by(int number, const std::filesystem::path& folder, const std::string& commands,
+                    const std::string& beginning, const std::string& text) {
+  write(folder / "wait.script", commands + "wait 600000\n");
+  const std::string script = folder / "wait.script";
+  const std::string variable = "XDG_STATE_HOME=" + folder.string();
+  const pid_t window = fork();
+  if (window < 0) {
+    ADD_FAILURE() << "no process";
+    return -1;
+  }
+  if (window == 0) {
+    std::signal(SIGHUP, SIG_DFL);
+    execlp("env", "env", variable.c_str(), PIXELSCOPE_BIN_DIR "/pixelscope", "--script", script.c_str(),
+           "--window-size", "800x600", nullptr);
+    _exit(127);
+  }
+  EXPECT_TRUE(appears(folder, beginning, text));
+  kill(window, number);
+  int status = 0;
+  waitpid(window, &status, 0);
+  return status;
+}
+
+// The first end may have any cause; the second one, right after the restoring, has the screen for its cause.
+TEST(WindowState, AScreenThatEndsEachProgramIsRestoredOnce) {
+  const auto folder = state_folder("crash-loop");
+  window_ended_by(SIGKILL, folder, "wait idle\nset exposure=2\nwait idle\n", "open-", "exposure=2");
+  const std::string shot = (folder / "pixelscope" / "shot.png").string();
+  window_ended_by(SIGKILL, folder, "wait idle\nexpect a/option/exposure 2\nscreenshot " + shot + "\n", "shot", "PNG");
+  const auto third = start(folder, "expect a/option/exposure 1\nexpect message contains \"ended right after\"\n");
+  EXPECT_EQ(third.status, 0) << third.errors;
+  EXPECT_TRUE(appears(folder, "left-behind-", "exposure=2")) << "put aside, not lost";
+  const auto fourth = start(folder, "expect messages 0\n");
+  EXPECT_EQ(fourth.status, 0) << fourth.errors;
+}
+
 TEST(WindowState, WhatWasOpenIsThereAfterALogout) {
   for (const int number : {SIGTERM, SIGHUP}) {
     const auto folder = state_folder("signal-" + std::to_string(number));
-    write(folder / "wait.script", "wait idle\nset exposure=2\nwait idle\nwait 600000\n");
-    const std::string script = folder / "wait.script";
-    const std::string variable = "XDG_STATE_HOME=" + folder.string();
-    const pid_t window = fork();
-    ASSERT_GE(window, 0);
-    if (window == 0) {
-      std::signal(SIGHUP, SIG_DFL);
-      execlp("env", "env", variable.c_str(), PIXELSCOPE_BIN_DIR "/pixelscope", "--script", script.c_str(),
-             "--window-size", "800x600", nullptr);
-      _exit(127);
-    }
-    EXPECT_TRUE(appears(folder, "open-", "exposure=2"));
-    kill(window, number);
-    int status = 0;
-    waitpid(window, &status, 0);
+    const int status = window_ended_by(number, folder, "wait idle\nset exposure=2\nwait idle\n", "open-", "exposure=2");
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 128 + number) << status;
     EXPECT_TRUE(appears(folder, "open-", "exposure=2")) << "as after a crash";
     const auto next = start(folder, "expect a/option/exposure 2\nexpect message contains \"did not end properly\"\n");
