@@ -7,7 +7,7 @@ repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # The packages, kept once. build: to compile everything but the tests.
 build_packages=(
   cmake fonts-inter fonts-jetbrains-mono g++ libcli11-dev libembree-dev libepoxy-dev libfmt-dev libfreetype-dev libglm-dev libhwy-dev
-  libimgui-dev libmd4c-dev libsdl2-dev libstb-dev libtinyobjloader-dev ninja-build nlohmann-json3-dev pkgconf
+  libimgui-dev libmd4c-dev libsdl2-dev libstb-dev ninja-build nlohmann-json3-dev pkgconf
 )
 window_packages=(bubblewrap libegl1 libgl1 libgl1-mesa-dri)  # shuts listings off; OpenGL, in software if need be
 display_packages=(xvfb)                           # a display where there is none

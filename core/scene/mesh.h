@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "math/vec.h"
+#include "scene/face_origins.h"
 #include "scene/patch.h"
 
 namespace ps {
@@ -27,11 +28,13 @@ struct Mesh {
   std::vector<MeshTriangle> triangles;
   std::vector<std::uint32_t> materials;  ///< indices into Scene::materials, one for each material slot
   std::string source;                    ///< the model file that it was read from; empty if a scene file spells it out
+  FaceOrigins origins;                   ///< where the triangles stand in that file
   std::vector<BezierPatch> patches;      ///< the curved surface that the triangles approximate, if any
   bool operator==(const Mesh&) const = default;
 };
 
-/// A sphere around all positions: its centre is that of the bounding box (CGFS ch. 11).
+/// A sphere around all vertices of triangles: its centre is that of their bounding box (CGFS ch. 11). Vertices that no
+/// triangle uses do not count.
 struct BoundingSphere {
   Vec3d centre{0, 0, 0};
   double radius = 0;

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "base/number_text.h"
 #include "base/spelling.h"
 #include "scene/obj_line.h"
 
@@ -78,10 +77,22 @@ struct Opacity {
 
 class MtlChecker {
  public:
-  MtlChecker(std::string& text, const std::string& file) : text_(text), file_(file) {}
+  MtlChecker(std::string_view text, const std::string& file) : text_(text), file_(file) {}
 
   MtlSummary run() {
-    for_each_obj_line(text_, file_, [&](ObjLine& line) { statement(line); });
+    constexpr std::size_t most_bytes = 64 * 1024;
+    ObjLines lines(text_, file_, most_bytes);
+    while (auto line = lines.next()) {
+      ObjLine words = *line;
+      const std::string word(words.next());
+      try {
+        statement(*line);
+      } catch (const InputError& error) {
+        note("bad " + word, line->number(),
+             fmt::format("'{}' is left out: found {}, expected {}", word.substr(0, 60), error.found(),
+                         error.expected()));
+      }
+    }
     finish();
     return std::move(summary_);
   }
@@ -109,10 +120,10 @@ class MtlChecker {
     } else if (word == "illum") {
       facts_->illum = static_cast<int>(clamped(line, word, 0, 10));
     } else if (word == "Ns" || word == "Ni") {
-      (word == "Ns" ? facts_->shininess : facts_->refraction_index) = number(line);
-      end(line, "one number");
+      (word == "Ns" ? facts_->shininess : facts_->refraction_index) = line.require_number();
+      end(line, word, "one number");
     } else {
-      (word == "Kd" ? facts_->diffuse : word == "Ks" ? facts_->specular : facts_->ambient) = colour(line);
+      (word == "Kd" ? facts_->diffuse : word == "Ks" ? facts_->specular : facts_->ambient) = colour(line, word);
     }
   }
 
@@ -126,8 +137,12 @@ class MtlChecker {
   }
 
   void start(ObjLine& line) {
-    const std::string name(line.rest());
-    if (name.empty()) line.fail(line.shown(), "the name of a material");
+    const std::string name(line.name());
+    if (name.empty()) {
+      facts_ = &second_;
+      opacity_ = &second_opacity_;
+      line.fail(line.shown(), "the name of a material");
+    }
     const auto [material, is_new] = summary_.materials.try_emplace(name);
     if (is_new) summary_.order.push_back(name);
     second_ = {};
@@ -148,13 +163,12 @@ class MtlChecker {
   }
 
   /// r g b, or one value for all three.
-  static Vec3d colour(ObjLine& line) {
-    Vec3d result(number(line));
-    ObjLine ahead = line;
-    if (ahead.next().empty()) return result;
-    result.y = number(line);
-    result.z = number(line);
-    end(line, "three numbers");
+  Vec3d colour(ObjLine& line, const std::string& word) {
+    Vec3d result(line.require_number());
+    if (line.at_end()) return result;
+    result.y = line.require_number();
+    result.z = line.require_number();
+    end(line, word, "three numbers");
     return result;
   }
 
@@ -184,9 +198,8 @@ class MtlChecker {
     } else {
       bool neutral = true;
       for (int count = 0; count < 3; ++count) {
-        ObjLine ahead = line;
-        if (count > 0 && ahead.next().empty()) break;
-        neutral = number(line) == neutral_value(word) && neutral;
+        if (count > 0 && line.at_end()) break;
+        neutral = line.require_number() == neutral_value(word) && neutral;
       }
       if (neutral) return;
     }
@@ -234,44 +247,41 @@ class MtlChecker {
     }
   }
 
-  static double number(ObjLine& line) {
-    line.require_number();
-    return parse_number(line.word()).value_or(0);
-  }
-
   /// The only value of a statement.
   double clamped(ObjLine& line, const std::string& word, double low, double high) {
-    const double value = number(line);
+    const double value = line.require_number();
     const double result = std::clamp(value, low, high);
     if (result != value)
       note(word + " range", line.number(),
            fmt::format("'{} {}' lies outside {} to {} and is taken as {}", word, line.word().substr(0, 60), low, high,
                        result));
-    end(line, "one number");
+    end(line, word, "one number");
     return result;
   }
 
-  static void end(ObjLine& line, const char* expected) {
-    if (!line.next().empty()) line.fail(line.shown(), expected);
+  /// What follows the values of a statement is not used.
+  void end(ObjLine& line, const std::string& word, const char* values) {
+    if (!line.at_end())
+      note(word + " end", line.number(), fmt::format("'{}' has {}; what follows is not used", word, values));
   }
 
   void note(const std::string& kind, int line, const std::string& text) {
     if (noted_.insert(kind).second) summary_.notes.push_back(fmt::format("{}:{}: {}.", file_, line, text));
   }
 
-  std::string& text_;
+  std::string_view text_;
   const std::string& file_;
   MtlSummary summary_;
   MtlFacts* facts_ = nullptr;
   Opacity* opacity_ = nullptr;
   std::map<std::string, Opacity> opacities_;  ///< by the material's name
-  MtlFacts second_;                           ///< of a second material of one name, which does not count
+  MtlFacts second_;                           ///< of a second material of one name or of none, which do not count
   Opacity second_opacity_;
   std::set<std::string> noted_;
 };
 
 }  // namespace
 
-MtlSummary check_mtl(std::string& text, const std::string& file) { return MtlChecker(text, file).run(); }
+MtlSummary check_mtl(std::string_view text, const std::string& file) { return MtlChecker(text, file).run(); }
 
 }  // namespace ps

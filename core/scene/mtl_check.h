@@ -36,9 +36,9 @@ struct MtlSummary {
   std::vector<std::string> notes;  ///< what the file asks for and does not get, with file and line, each kind once
 };
 
-/// Reads the text of a material file (MTL): every statement and option known, every number finite, every statement
-/// after a `newmtl`. Values out of their range are clamped, with a note, as exporters do write them. Comments are
-/// blanked out in place. Throws InputError with line and column.
-MtlSummary check_mtl(std::string& text, const std::string& file);
+/// Reads the text of a material file (MTL). A statement that is not known, stands before any material, or has no value
+/// that can be used is left out with a note; values out of their range are clamped, with a note, as exporters do write
+/// them. Throws InputError for what is no text (see ObjLines).
+MtlSummary check_mtl(std::string_view text, const std::string& file);
 
 }  // namespace ps

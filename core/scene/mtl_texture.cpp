@@ -178,6 +178,7 @@ void read_name(ObjLine& line, MtlTexture& map) {
 MtlTexture read_mtl_texture(ObjLine& line) {
   MtlTexture map;
   map.line = line.number();
+  line.begin_names();
   read_options(line, map);
   ObjLine name = line;
   if (name.rest().empty()) name.fail(name.shown(), "the name of a picture file");

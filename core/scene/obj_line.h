@@ -1,71 +1,83 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/check.h"
 
 namespace ps {
 
-/// Walks through the words of one line of an OBJ or MTL file. Comments at its end are replaced by blanks.
+/// A decimal number as model files write it, or what was expected in its place ("a number below 1e12").
+struct ObjNumber {
+  double value = 0;
+  const char* fault = nullptr;
+};
+
+/// Finite, below 1e12, and not so small that it turns into 0; the double that is nearest to the text.
+ObjNumber read_obj_number(std::string_view word);
+
+/// Walks through the words of one line of an OBJ or MTL file. A `#` ends the line, also behind a number without a
+/// blank. Names may hold it: see begin_names().
 class ObjLine {
  public:
-  ObjLine(std::string& text, std::size_t begin, std::size_t end, int number, const std::string& file);
+  ObjLine(std::string_view text, int number, const std::string& file) : text_(text), number_(number), file_(&file) {}
 
   /// The next word; empty at the end of the line.
   std::string_view next();
+  /// Whether no word is left.
+  bool at_end() const { return ObjLine(*this).next().empty(); }
+  /// What follows may be names: from here on a `#` is one of their letters ("#1 red", "wood #2"), unless it stands
+  /// alone between blanks, where it begins a comment.
+  void begin_names();
   /// What is left of the line without blanks around it.
   std::string_view rest();
+  /// begin_names(), then rest().
+  std::string_view name();
   /// What next() or rest() returned last.
-  std::string_view word() const { return part(word_begin_, word_end_); }
-  /// Replaces the characters at the end of that word by blanks.
-  void blank_word_end(std::size_t count);
+  std::string_view word() const { return text_.substr(word_begin_, word_end_ - word_begin_); }
   int number() const { return number_; }
 
-  /// Throws InputError at the word that next() returned last.
-  [[noreturn]] void fail(const std::string& found, const std::string& expected) const;
+  /// InputError at the word that next() returned last.
+  InputError error(const std::string& found, const std::string& expected) const;
+  [[noreturn]] void fail(const std::string& found, const std::string& expected) const { throw error(found, expected); }
   /// The last word as it appears in messages; "the end of the line" if there was none.
   std::string shown() const;
-  /// The next word must be a decimal number that is finite, at most 1e12, and not so small that it turns into 0.
-  void require_number();
+  /// The next word, which must be a number.
+  double require_number();
 
  private:
-  std::string_view part(std::size_t from, std::size_t to) const {
-    return std::string_view(*text_).substr(from, to - from);
-  }
-
-  std::string* text_;
-  std::size_t begin_, end_;
-  std::size_t at_;
-  std::size_t word_begin_;
-  std::size_t word_end_;
+  std::string_view text_;
+  std::size_t at_ = 0, word_begin_ = 0, word_end_ = 0;
+  bool in_names_ = false;
   int number_;
   const std::string* file_;
 };
 
-/// Calls `use(line)` for each line; lines end in LF, CR LF or CR. Throws InputError for lines that are too long, for
-/// UTF-16 and for NUL bytes. Blanks out a UTF-8 byte-order mark and joins lines that end in a backslash, keeping the
-/// number of lines.
-template <class Use>
-int for_each_obj_line(std::string& text, const std::string& file, Use use);
+/// The lines of an OBJ or MTL file, which end in LF, CR LF or CR. A backslash at the end joins a line with the next,
+/// but not behind a comment. Throws InputError for lines that are too long, for UTF-16 and for NUL bytes.
+class ObjLines {
+ public:
+  /// Keeps both. `most_bytes` is the largest length of a line.
+  ObjLines(std::string_view text, const std::string& file, std::size_t most_bytes);
+  /// nullopt at the end of the file. A line is valid until the next call.
+  std::optional<ObjLine> next();
+  /// Of the file up to here.
+  int count() const { return count_; }
 
-void prepare_obj_text(std::string& text, const std::string& file);
-void require_obj_line_length(std::size_t length, int number, const std::string& file);
+ private:
+  std::string_view take();
 
-template <class Use>
-int for_each_obj_line(std::string& text, const std::string& file, Use use) {
-  prepare_obj_text(text, file);
-  int number = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    ++number;
-    std::size_t end = begin;
-    while (end < text.size() && text[end] != '\n' && text[end] != '\r') ++end;
-    require_obj_line_length(end - begin, number, file);
-    ObjLine line(text, begin, end, number, file);
-    use(line);
-    const bool pair = end + 1 < text.size() && text[end] == '\r' && text[end + 1] == '\n';
-    begin = end + (pair ? 2 : 1);
-  }
-  return number;
-}
+  std::string_view text_;
+  const std::string& file_;
+  std::size_t most_bytes_;
+  std::size_t at_ = 0;
+  int count_ = 0;
+  std::string joined_;
+};
+
+/// The names that a statement may mean, the likeliest first: as it stands, without double quotes around it, and without
+/// what follows " #".
+std::vector<std::string> meant_names(std::string_view name);
 
 }  // namespace ps

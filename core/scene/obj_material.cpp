@@ -6,6 +6,7 @@
 
 #include "scene/model_files.h"
 #include "scene/mtl_check.h"
+#include "scene/obj_line.h"
 #include "scene/obj_textures.h"
 #include "scene/scene_file.h"
 #include "scene/scene_value.h"
@@ -39,10 +40,11 @@ class MaterialLoader {
       for (; last > first && !path; --last)
         path = files_.find({folder_}, names.name.substr(starts[first], ends[last - 1] - starts[first]));
       if (path) {
-        load(*path);
+        load(*path, names.line);
         first = last + 1;
         continue;
       }
+      if (names.name[starts[first]] == '#') return;  // a comment
       warn(obj_, names.line,
            fmt::format("the material file '{}' is missing",
                        names.name.substr(starts[first], ends[first] - starts[first])));
@@ -52,9 +54,7 @@ class MaterialLoader {
 
   ObjMaterials found;
 
-  void load(const fs::path& path) { parse(read_text_file(path, max_mtl_bytes), path); }
-
-  void parse(std::string text, const fs::path& path) {
+  void parse(std::string_view text, const fs::path& path) {
     const MtlSummary summary = check_mtl(text, path.string());
     model_.warnings.insert(model_.warnings.end(), summary.notes.begin(), summary.notes.end());
     model_.files.push_back(path.string());
@@ -65,9 +65,19 @@ class MaterialLoader {
       if (facts.placement != UvPlacement{}) found.placements[index] = facts.placement;
       model_.materials.push_back(convert(name, facts, path));
     }
+    for (const std::string& name : summary.order)
+      for (const std::string& meant : meant_names(name)) found.by_name.emplace(meant, found.by_name.at(name));
   }
 
  private:
+  void load(const fs::path& path, int line) {
+    try {
+      parse(read_text_file(path, max_mtl_bytes), path);
+    } catch (const InputError& error) {
+      warn(obj_, line, fmt::format("the material file cannot be read: {}", error.what()));
+    }
+  }
+
   Material convert(const std::string& name, const MtlFacts& facts, const fs::path& mtl) {
     const auto colour = [](const std::optional<Vec3d>& c) {
       return glm::max(c.value_or(Vec3d{0, 0, 0}), Vec3d{0, 0, 0});
@@ -129,9 +139,9 @@ ObjMaterials load_obj_materials(const fs::path& obj, const std::vector<ObjRefere
   return std::move(loader.found);
 }
 
-ObjMaterials parse_obj_materials(std::string text, const fs::path& path, ObjModel& model) {
+ObjMaterials parse_obj_materials(std::string_view text, const fs::path& path, ObjModel& model) {
   MaterialLoader loader(path, model);
-  loader.parse(std::move(text), path);
+  loader.parse(text, path);
   return std::move(loader.found);
 }
 

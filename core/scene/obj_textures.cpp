@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "image/height_map.h"
+#include "scene/obj_line.h"
 #include "scene/picture_fault.h"
 #include "scene/texture_file.h"
 #include "scene/texture_generator.h"
@@ -70,7 +71,9 @@ void ObjTextures::add(Texture texture, Image<Vec3f> texels) {
 
 /// The picture's file; with a warning for the first material that names a missing one.
 std::optional<fs::path> ObjTextures::find(const MtlTexture& map, const fs::path& mtl) {
-  auto path = files_.find({mtl.parent_path(), model_folder_}, map.name);
+  std::optional<fs::path> path;
+  for (const std::string& meant : meant_names(map.name))
+    if (!path) path = files_.find({mtl.parent_path(), model_folder_}, meant);
   if (!path && known_.try_emplace("missing " + map.name, -1).second)
     warn(mtl, map.line, fmt::format("the texture '{}' is missing", map.name));
   return path;

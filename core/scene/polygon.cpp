@@ -1,20 +1,34 @@
 #include "scene/polygon.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "scene/ear_clipper.h"
 
 namespace ps {
 namespace {
 
-/// The polygon as seen against its mean normal (Newell's method: exact for flat polygons, fair for others), so that it
-/// runs counter-clockwise.
-std::vector<Vec2d> flattened(const std::vector<Vec3d>& corners) {
-  Vec3d normal{0, 0, 0};
+/// Newell's method: exact for flat polygons, fair for others. Loops of opposite facing may cancel; then the largest
+/// triangle of the fan decides.
+Vec3d newell_normal(const std::vector<Vec3d>& corners) {
+  Vec3d sum{0, 0, 0}, largest{0, 0, 0};
+  double total = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     // Relative to the first vertex, so that places far from the origin lose no digits.
     const Vec3d a = corners[i] - corners[0];
     const Vec3d b = corners[(i + 1) % corners.size()] - corners[0];
-    normal += cross(a, b);
+    const Vec3d part = cross(a, b);
+    sum += part;
+    total += std::sqrt(dot(part, part));
+    if (dot(part, part) > dot(largest, largest)) largest = part;
   }
+  constexpr double cancelled = 1e-9;
+  return std::sqrt(dot(sum, sum)) > cancelled * total ? sum : largest;
+}
+
+/// The polygon as seen against its facing, so that it runs counter-clockwise.
+std::vector<Vec2d> flattened(const std::vector<Vec3d>& corners) {
+  const Vec3d normal = newell_normal(corners);
   int axis = 0;  // the one to leave out: that along which the normal is longest
   for (int other : {1, 2})
     if (std::abs(normal[other]) > std::abs(normal[axis])) axis = other;
@@ -27,61 +41,29 @@ std::vector<Vec2d> flattened(const std::vector<Vec3d>& corners) {
   return flat;
 }
 
-double turn(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-bool inside(const Vec2d& p, const Vec2d& a, const Vec2d& b, const Vec2d& c) {
-  return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
-}
-
-bool is_ear(const std::vector<Vec2d>& flat, const std::vector<std::uint32_t>& left, std::size_t before, std::size_t tip,
-            std::size_t after) {
-  const Vec2d& a = flat[left[before]];
-  const Vec2d& b = flat[left[tip]];
-  const Vec2d& c = flat[left[after]];
-  if (!(turn(a, b, c) > 0)) return false;
-  for (std::size_t i = 0; i < left.size(); ++i) {
-    if (i == before || i == tip || i == after) continue;
-    const Vec2d& p = flat[left[i]];
-    if (p != a && p != b && p != c && inside(p, a, b, c)) return false;
-  }
+/// Whether the fan around vertex 0 fills it: every vertex turns left, and every triangle of the fan does.
+bool is_convex_fan(const std::vector<Vec2d>& flat) {
+  const std::size_t count = flat.size();
+  for (std::size_t i = 0; i < count; ++i)
+    if (!(turn_of(flat[i], flat[(i + 1) % count], flat[(i + 2) % count]) >= 0)) return false;
+  for (std::size_t i = 1; i + 1 < count; ++i)
+    if (!(turn_of(flat[0], flat[i], flat[i + 1]) >= 0)) return false;
   return true;
 }
 
 }  // namespace
 
-std::vector<std::array<std::uint32_t, 3>> triangulate_polygon(const std::vector<Vec3d>& corners) {
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+std::vector<std::array<std::uint32_t, 3>> triangulate_polygon(const std::vector<Vec3d>& corners, std::int64_t& work) {
   const auto count = static_cast<std::uint32_t>(corners.size());
-  if (count < 3) return triangles;
-  std::vector<std::uint32_t> left(count);
-  for (std::uint32_t i = 0; i < count; ++i) left[i] = i;
+  if (count < 3) return {};
   if (count > 3) {
     const std::vector<Vec2d> flat = flattened(corners);
-    bool convex = true;
-    for (std::uint32_t i = 0; i < count; ++i)
-      convex = convex && turn(flat[i], flat[(i + 1) % count], flat[(i + 2) % count]) >= 0;
-    // A simple polygon has an ear in every round; one that crosses itself may not, and what is left becomes a fan. The
-    // number of attempts is bounded, since each looks at all vertices.
-    std::size_t attempts = 30 * left.size();
-    for (std::size_t tip = 0, failures = 0; !convex && left.size() > 3 && failures < left.size() && attempts > 0;) {
-      --attempts;
-      const std::size_t before = (tip + left.size() - 1) % left.size();
-      const std::size_t after = (tip + 1) % left.size();
-      if (is_ear(flat, left, before, tip, after)) {
-        triangles.push_back({left[before], left[tip], left[after]});
-        left.erase(left.begin() + static_cast<std::ptrdiff_t>(tip));
-        failures = 0;
-      } else {
-        ++tip;
-        ++failures;
-      }
-      tip %= left.size();
-    }
+    if (!is_convex_fan(flat)) return EarClipper(flat, work).run();
   }
-  for (std::size_t i = 1; i + 1 < left.size(); ++i) triangles.push_back({left[0], left[i], left[i + 1]});
-  return triangles;
+  std::vector<std::array<std::uint32_t, 3>> fan;
+  fan.reserve(count - 2);
+  for (std::uint32_t i = 1; i + 1 < count; ++i) fan.push_back({0, i, i + 1});
+  return fan;
 }
 
 }  // namespace ps

@@ -7,10 +7,15 @@
 
 namespace ps {
 
+/// How many vertices may be looked at before what is left of a polygon becomes a fan: about a second of work. Who cuts
+/// many polygons counts down one number for all of them.
+inline constexpr std::int64_t most_polygon_work = 400'000'000;
+
 /// Cuts a polygon in space into corners.size() - 2 triangles with the same facing. Vertices are indices into the
 /// polygon (0, 1, 2, ...). Convex polygons become a fan around vertex 0, others lose one ear after the other; a polygon
-/// that is not flat is cut as it appears along its mean normal. Where a polygon crosses itself the triangles overlap,
-/// but their number stays.
-std::vector<std::array<std::uint32_t, 3>> triangulate_polygon(const std::vector<Vec3d>& corners);
+/// that is not flat is cut as it appears along its mean normal. It may touch itself: loops that share a vertex, and
+/// holes reached by bridges, are filled to their outlines. Where it crosses itself between vertices the triangles may
+/// overlap, and so they may where `work`, from which each vertex looked at is taken, is used up; their number stays.
+std::vector<std::array<std::uint32_t, 3>> triangulate_polygon(const std::vector<Vec3d>& corners, std::int64_t& work);
 
 }  // namespace ps

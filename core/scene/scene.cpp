@@ -104,18 +104,22 @@ const Material& material_of(const Scene& scene, int object, int triangle) {
 }
 
 BoundingSphere bounding_sphere(const Mesh& mesh) {
-  if (mesh.positions.empty()) return {};
-  Vec3d low = mesh.positions.front();
+  if (mesh.triangles.empty()) return {};
+  std::vector<char> is_used(mesh.positions.size(), 0);
+  for (const MeshTriangle& triangle : mesh.triangles)
+    for (const std::uint32_t position : triangle.position) is_used[position] = 1;
+  Vec3d low = mesh.positions[mesh.triangles.front().position[0]];
   Vec3d high = low;
-  for (const Vec3d& p : mesh.positions) {
-    for (int axis = 0; axis < 3; ++axis) {
+  for (std::size_t i = 0; i < is_used.size(); ++i) {
+    const Vec3d& p = mesh.positions[i];
+    for (int axis = 0; is_used[i] != 0 && axis < 3; ++axis) {
       low[axis] = std::min(low[axis], p[axis]);
       high[axis] = std::max(high[axis], p[axis]);
     }
   }
   BoundingSphere sphere{(low + high) * 0.5, 0};
-  for (const Vec3d& p : mesh.positions) {
-    sphere.radius = std::max(sphere.radius, length_of(p - sphere.centre));
+  for (std::size_t i = 0; i < is_used.size(); ++i) {
+    if (is_used[i] != 0) sphere.radius = std::max(sphere.radius, length_of(mesh.positions[i] - sphere.centre));
   }
   return sphere;
 }

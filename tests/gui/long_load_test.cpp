@@ -28,7 +28,7 @@ void write_sheet(const std::filesystem::path& path, int side) {
 std::filesystem::path write_slow_scene(const std::filesystem::path& folder) {
   write_sheet(folder / "sheet.obj", 700);
   std::ofstream scene(folder / "sheets.scene");
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < 48; ++i) {
     const std::string name = "sheet" + std::to_string(i);
     std::filesystem::create_symlink("sheet.obj", folder / (name + ".obj"));
     scene << "model { name = " << name << " file = " << name << ".obj }\ninstance { model = " << name << " }\n";

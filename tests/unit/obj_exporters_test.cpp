@@ -99,8 +99,9 @@ TEST_F(ObjExporters, OneValueIsGrey) {
   EXPECT_EQ(material(scene).colour, Vec3d(0.5));
   EXPECT_EQ(material(scene).specular_colour, Vec3d(0.25));
   EXPECT_EQ(material(scene).ambient_colour, Vec3d(0.125));
-  EXPECT_THROW(with_material("newmtl a\nKd 0.5 0.5\n"), InputError);
-  EXPECT_THROW(with_material("newmtl a\nKd 0,5\n"), InputError);
+  EXPECT_EQ(note(with_material("newmtl a\nKd 0.5 0.5\n")),
+            "a.mtl:2: 'Kd' is left out: found the end of the line, expected a number.\n");
+  EXPECT_EQ(note(with_material("newmtl a\nKd 0,5\n")), "a.mtl:2: 'Kd' is left out: found '0,5', expected a number.\n");
 }
 
 TEST_F(ObjExporters, NumbersOutOfTheirRangeAreClamped) {
