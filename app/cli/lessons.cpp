@@ -212,8 +212,10 @@ int check_lessons(std::vector<std::string> names, CheckExtent extent) {
 }
 
 int export_answers(const std::string& student, const std::string& out) {
-  write_result(answers_csv(kept_answers(answers_file()), student), out);
-  return 0;
+  const KeptAnswers kept = kept_answers(answers_file());
+  write_result(answers_csv(kept.answers, student), out);
+  for (const std::string& line : kept.damaged) fmt::print(stderr, "{}; skipped\n", line);
+  return kept.damaged.empty() ? 0 : 1;
 }
 
 }  // namespace

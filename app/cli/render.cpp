@@ -9,6 +9,7 @@
 
 #include "base/atomic_file.h"
 #include "base/kept_inputs.h"
+#include "base/progress_line.h"
 #include "base/timer.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
@@ -109,10 +110,12 @@ void save_picture(const RenderArguments& arguments, const Document& document, co
 /// The picture as far as slow motion goes; says how far that is.
 Frame render_document(const Document& document, const View& view, const RenderRequest& request, Prepared& prepared) {
   const SideState& side = document.a;
+  std::optional<ProgressLine> line(std::in_place, interruptible_progress(), "rendering");
   if (!side.slow_motion)
     return render(document.scene, view, side.settings, request, prepared, interruptible_progress());
   SlowFrame slow = render_slowly(document.scene, view, side.settings, *side.slow_motion, request, prepared,
                                  interruptible_progress());
+  line.reset();
   fmt::print(stderr, "{}\n", slow_motion_words(slow.state, document.scene, {view.width, view.height}));
   return slow.frame;
 }
@@ -121,6 +124,7 @@ Frame render_document(const Document& document, const View& view, const RenderRe
 void save_film(const RenderArguments& arguments, Document document, const View& view, const RenderRequest& request,
                Prepared& prepared) {
   const SlowMotion last = *document.a.slow_motion;
+  const ProgressLine line(interruptible_progress(), "rendering the film");
   const std::uint64_t end =
       render_slowly(document.scene, view, document.a.settings, last, request, prepared, interruptible_progress())
           .state.done.at;

@@ -18,6 +18,7 @@
 #include "gui/platform/window.h"
 #include "gui/script/script.h"
 #include "gui/shell/shell.h"
+#include "gui/work/leave.h"
 #include "number_option.h"
 
 namespace {
@@ -79,7 +80,9 @@ int run(int argc, char** argv) {
   ps::gui::Shell shell(shell_options);
   if (gallery) return shell.run(*ps::gui::make_gallery(shell));
   ps::gui::App app(shell, app_options, std::move(*document));
-  return shell.run(app);
+  const int status = shell.run(app);
+  ps::gui::leave_soon(status);
+  return status;
 }
 
 }  // namespace

@@ -5,13 +5,16 @@
 
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 
 #include "base/atomic_file.h"
 #include "base/check.h"
 #include "base/csv.h"
 #include "base/file_lock.h"
+#include "base/foreign_text.h"
 #include "base/number_text.h"
+#include "base/spelling.h"
 #include "base/user_folder.h"
 #include "record/value_text.h"
 
@@ -20,10 +23,20 @@ namespace {
 
 constexpr std::uintmax_t most_bytes = 16u << 20;
 
-GivenAnswer read_answer(const std::string& line) {
-  const nlohmann::json entry = nlohmann::json::parse(line);
-  return {entry.at("time"),     entry.at("lesson"), entry.at("step"),
-          entry.at("question"), entry.at("answer"), entry.at("points")};
+/// Nothing for a line that is no answer, as this program writes it.
+std::optional<GivenAnswer> read_answer(const std::string& line) {
+  constexpr int most_steps = 10000;
+  const nlohmann::json entry = nlohmann::json::parse(line, nullptr, false);
+  const auto has_text = [&](const char* key) { return entry.contains(key) && entry[key].is_string(); };
+  if (!entry.is_object() || !entry.contains("step") || !entry["step"].is_number_integer()) return {};
+  for (const char* key : {"time", "lesson", "question", "answer"})
+    if (!has_text(key)) return {};
+  if (!entry.contains("points") || !entry["points"].is_number()) return {};
+  const auto step = entry["step"].get<std::int64_t>();
+  const auto points = entry["points"].get<double>();
+  if (step < 0 || step >= most_steps || !(points >= 0 && points <= 1)) return {};
+  return GivenAnswer{entry["time"],     entry["lesson"], static_cast<int>(step),
+                     entry["question"], entry["answer"], points};
 }
 
 /// A text for a field of a table: what a spreadsheet would take for a formula has a ' in front of it.
@@ -50,21 +63,24 @@ std::filesystem::path answers_file() {
   return folder.empty() ? folder : folder / "pixelscope" / "answers.jsonl";
 }
 
-std::vector<GivenAnswer> kept_answers(const std::filesystem::path& file) {
+KeptAnswers kept_answers(const std::filesystem::path& file) {
   std::error_code error;
-  if (file.empty() || !std::filesystem::exists(file, error)) return {};
-  std::vector<GivenAnswer> answers;
+  KeptAnswers kept;
+  if (file.empty() || !std::filesystem::exists(file, error)) return kept;
   std::istringstream lines(read_whole_file(file, most_bytes));
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;
-    try {
-      answers.push_back(read_answer(line));
-    } catch (const nlohmann::json::exception&) {
-      throw InputError({file.string(), number, 1}, "something else", "an answer, as this program writes it");
-    }
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    if (auto answer = read_answer(line))
+      kept.answers.push_back(std::move(*answer));
+    else
+      kept.damaged.push_back(InputError({file.string(), number, 1},
+                                        fmt::format("'{}'", shown_start(foreign_text(line))),
+                                        "an answer, as this program writes it")
+                                 .what());
   }
-  return answers;
+  return kept;
 }
 
 void keep_answer(const std::filesystem::path& file, const GivenAnswer& answer) {
@@ -75,6 +91,7 @@ void keep_answer(const std::filesystem::path& file, const GivenAnswer& answer) {
   std::string text = std::filesystem::exists(file, error) ? read_whole_file(file, most_bytes) : "";
   const nlohmann::json entry{{"time", answer.time},         {"lesson", answer.lesson}, {"step", answer.step},
                              {"question", answer.question}, {"answer", answer.answer}, {"points", answer.points}};
+  if (!text.empty() && !text.ends_with('\n')) text += '\n';  // what was cut off stays a line of its own
   text += entry.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
   write_file_atomically(file, text);
 }

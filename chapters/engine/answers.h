@@ -21,9 +21,13 @@ std::string answer_time();
 /// folder ($XDG_STATE_HOME or ~/.local/state). Empty if there is no such folder.
 std::filesystem::path answers_file();
 
-/// The answers that a file holds, oldest first; none if it is missing. Throws InputError with the line for one that is
-/// no answer.
-std::vector<GivenAnswer> kept_answers(const std::filesystem::path& file);
+/// What a file of answers holds.
+struct KeptAnswers {
+  std::vector<GivenAnswer> answers;  ///< oldest first
+  std::vector<std::string> damaged;  ///< a sentence for each line that is no answer: "FILE:LINE:1: found ..."
+};
+/// Nothing if the file is missing; empty lines do not count. Throws InputError where it cannot be read.
+KeptAnswers kept_answers(const std::filesystem::path& file);
 /// Adds one to the file, which is made if need be; several programs may do so at the same time. Throws InputError where
 /// it cannot be read or written.
 void keep_answer(const std::filesystem::path& file, const GivenAnswer& answer);

@@ -9,6 +9,8 @@
 namespace ps {
 namespace {
 
+constexpr std::size_t most_formulas = 1000;  // a page shows some dozens, and all of them are laid out at once
+
 /// Where the code that begins with the backticks at `at` ends; behind these alone if nothing closes it.
 std::size_t end_of_code(std::string_view text, std::size_t at) {
   const std::size_t begin = std::min(text.find_first_not_of('`', at), text.size());
@@ -67,6 +69,9 @@ std::vector<FormulaMark> find_formulas(std::string_view text, const SourcePlace&
       const FormulaMark mark{i, closing + sign.size(), sign == "$" ? FormulaForm::in_text : FormulaForm::display};
       if (begins_with_quote(text, i) && text.substr(i, closing - i).find('\n') != std::string_view::npos)
         throw InputError(place_in(text, i, start), "a formula over several lines in a hint", "one line");
+      if (formulas.size() == most_formulas)
+        throw InputError(place_in(text, i, start), fmt::format("more than {} formulas in a step", most_formulas),
+                         "several steps");
       formulas.push_back(mark);
       i = mark.end;
     }

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include "base/foreign_text.h"
 #include "engine/block.h"
 #include "engine/lesson.h"
 #include "engine/markdown.h"
+#include "engine/place_in_text.h"
 #include "engine/words.h"
 #include "options/option.h"
 
@@ -166,6 +168,12 @@ class LessonParser {
 }  // namespace
 
 Lesson parse_lesson(std::string_view text, const std::string& name, const std::string& file) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // Windows' Notepad writes it
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  if (const std::size_t at = bytes_of_utf8(text); at < text.size())
+    throw InputError(place_in(text, at, {file, 1, 1}),
+                     fmt::format("the byte {:#04x}, which is not UTF-8", static_cast<unsigned char>(text[at])),
+                     "a file saved in that encoding");
   LessonParser parser(name, file);
   while (!text.empty()) parser.read_line(take_line(text));
   return parser.finish();

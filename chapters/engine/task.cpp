@@ -21,7 +21,9 @@ std::string read_task(const std::vector<BlockLine>& lines, const std::string& le
   const auto all = listings();
   const auto listing =
       std::find_if(all.begin(), all.end(), [&](const NamedListing& each) { return each.folder == lesson; });
-  if (listing == all.end()) throw InputError(place, "a task in a lesson without a listing", "a listing.cpp beside it");
+  if (listing == all.end())
+    throw InputError(place, "a task in a lesson without a listing of the program",
+                     "tasks in the program's own lessons alone: a listing.cpp in another folder is not compiled");
   std::string routine;
   for (const BlockLine& line : lines) {
     if (line.word != "write") throw InputError(line.place, fmt::format("'{}'", line.word), "a line 'write ROUTINE'");

@@ -51,4 +51,14 @@ std::string foreign_text(std::string_view text) {
   return readable;
 }
 
+std::size_t bytes_of_utf8(std::string_view text) {
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const Character next = first_character(text.substr(at));
+    if (next.bytes == 0) return at;
+    at += next.bytes;
+  }
+  return at;
+}
+
 }  // namespace ps

@@ -9,4 +9,7 @@ namespace ps {
 /// that change the direction of writing, and bytes that are not UTF-8 become '?', one for each character or byte.
 std::string foreign_text(std::string_view text);
 
+/// How many bytes at the beginning are text in UTF-8: all of them, or those before the first that are not.
+std::size_t bytes_of_utf8(std::string_view text);
+
 }  // namespace ps

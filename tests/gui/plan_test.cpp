@@ -106,5 +106,16 @@ TEST(LessonPlan, ATallToolKeepsItsRoom) {
   EXPECT_TRUE(narrow.shared) << "beside one another, text and tool would be too narrow";
 }
 
+/// Messages can leave less than no room for the rest of the window.
+TEST(Plan, AnAreaWithoutRoomHasAPlan) {
+  for (const float height : {0.0f, -300.0f, 5.0f}) {
+    PlanInput in;
+    in.area = {{0, 0}, {1366, height}};
+    in.headline = 30;
+    const ExplorePlan plan = plan_explore(in, {.left = 0.2, .right = 0.2, .bottom = 0.3, .pixel_open = false});
+    EXPECT_EQ(plan.bottom, 30) << height;
+  }
+}
+
 }  // namespace
 }  // namespace ps::gui::plan_test

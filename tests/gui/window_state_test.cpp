@@ -74,6 +74,26 @@ TEST(WindowState, WhatCannotBeReadIsIgnoredWithAWord) {
   EXPECT_EQ(StateFile(folder / "none.json").complaints().size(), 0u);
 }
 
+/// A complaint shows the beginning of a value, and one complaint stands for many of a kind.
+TEST(WindowState, ComplaintsAreShortWhateverTheFileHolds) {
+  const auto folder = state_folder("long");
+  const auto file = folder / "pixelscope" / "window.json";
+  std::string lines;
+  for (int i = 0; i < 5000; ++i) lines += "a\\tb\\n";
+  write(file, R"({"window/size":")" + lines + R"(","window/scale":")" + lines + R"("})");
+  StateFile state(file);
+  EXPECT_EQ(state.number("window/scale", 0.75, 4), 0);
+  ASSERT_EQ(state.complaints().size(), 1u);
+  EXPECT_LT(state.complaints()[0].size(), 400 + file.string().size());
+  std::string numbers = "{\"" + std::string(2000, 'a') + "\":1";
+  for (int i = 0; i < 300; ++i) numbers += ",\"k" + std::to_string(i) + "\":2";
+  write(file, numbers + "}");
+  const StateFile other(file);
+  ASSERT_EQ(other.complaints().size(), 1u);
+  EXPECT_NE(other.complaints()[0].find("and 300 more such"), std::string::npos) << other.complaints()[0];
+  EXPECT_LT(other.complaints()[0].size(), 400 + file.string().size());
+}
+
 TEST(WindowState, WhatIsNoFileIsNeitherReadNorReplaced) {
   const auto folder = state_folder("no-file");
   std::filesystem::create_directories(folder / "folder");

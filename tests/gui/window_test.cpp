@@ -27,6 +27,14 @@ TEST(Window, SaysThatThereIsNoDisplay) {
   EXPECT_NE(result.errors.find("no display"), std::string::npos) << result.errors;
 }
 
+/// Without a driver that shows windows, the window library would take one that does not.
+TEST(Window, SaysThatADisplayDoesNotAnswer) {
+  const auto result =
+      run_window("--widget-gallery", "timeout 60 env -u WAYLAND_DISPLAY -u SDL_VIDEODRIVER DISPLAY=:4711");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.errors.find("no display answers at DISPLAY=':4711'"), std::string::npos) << result.errors;
+}
+
 TEST(Window, RefusesNumbersThatAreNone) {
   for (const char* arguments : {"--scale nan", "--scale inf", "--scale 5", "--scale 0x1", "--size 010x",
                                 "--size nanxnan", "--size 4294967297x1", "--window-size nanxnan", "--set gamma=nan"}) {

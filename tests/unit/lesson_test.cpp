@@ -282,6 +282,30 @@ TEST(Lesson, FaultsAreNamedWithTheirLine) {
   expect_refused("mutation shadows\n```\n", "mutation shadows\n", "does not end");
 }
 
+/// As Windows' Notepad saves it.
+TEST(Lesson, AByteOrderMarkIsNoText) {
+  EXPECT_EQ(parse_lesson("\xEF\xBB\xBF# Marked\nsource: s\n", "own", "own.md").title, "Marked");
+}
+
+TEST(Lesson, WhatIsNoUtf8IsNamedWithItsPlace) {
+  try {
+    parse_lesson("# T\nsource: s\n\n## One\n\nA caf\xe9.\n", "own", "own.md");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("own.md:6:6: found the byte 0xe9"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Lesson, AStepHasAThousandFormulasAtMost) {
+  const auto step_with = [](int formulas) {
+    std::string text = "# T\nsource: s\n\n## One\n\n";
+    for (int i = 0; i < formulas; ++i) text += "$x$ is it.\n";
+    return text + "\n```settings\nscene cgfs/spheres\n```\n";
+  };
+  EXPECT_NO_THROW(parse_lesson(step_with(1000), "own", "own.md"));
+  EXPECT_THROW(parse_lesson(step_with(1001), "own", "own.md"), InputError);
+}
+
 TEST(Lesson, BoundsAreInclusive) {
   EXPECT_TRUE(parse_bound(">= 2").holds(2));
   EXPECT_FALSE(parse_bound(">= 2").holds(1.5));

@@ -34,6 +34,7 @@
 #include "gui/shell/shell.h"
 #include "gui/widgets/flash.h"
 #include "gui/widgets/key_focus.h"
+#include "gui/widgets/redraw.h"
 #include "options/option.h"
 
 namespace ps::gui {
@@ -334,9 +335,20 @@ void App::Parts::keep_what_is_open() {
   constexpr std::chrono::seconds start{30};
   if (session.revision() != first_revision && std::chrono::steady_clock::now() - started >= start)
     autosave.outlived_start();
-  if (kept_revision == session.revision()) return;
+  const bool failed = !autosave.problem().empty();
+  if (kept_revision == session.revision() && !failed) return;
   kept_revision = session.revision();
   autosave.save(session.permalink());
+  constexpr double next_try = 5;  // seconds
+  if (const std::string& problem = autosave.problem(); !problem.empty()) {
+    if (!failed)
+      session.say(Message::Kind::warning, fmt::format("What is open is not saved any more for the next start: {}. "
+                                                      "It is tried again every few seconds.",
+                                                      problem));
+    redraw_after(next_try);
+  } else if (failed) {
+    session.say(Message::Kind::information, "What is open is saved again for the next start.");
+  }
   shell.remember(layout_key, layout_text(session.document().layout));
   shell.remember(mode_key_of_state, std::string(mode_key(session.document().mode)));
 }

@@ -117,7 +117,8 @@ LessonPlan plan_lesson(const PlanInput& in, StagePlace stage) {
 }
 
 ExplorePlan plan_explore(const PlanInput& in, const ExploreShares& shares) {
-  const float width = in.area.width(), height = in.area.height();
+  // Little or nothing is left beside tall messages.
+  const float width = std::max(in.area.width(), 0.0f), height = std::max(in.area.height(), 0.0f);
   const float least_left = std::min(180 * in.scale, width * 0.3f),
               least_right = std::min(180 * in.scale, width * 0.24f);
   // They grow with the window only so far that the pictures keep their share.
@@ -132,7 +133,7 @@ ExplorePlan plan_explore(const PlanInput& in, const ExploreShares& shares) {
     plan.right = std::round(std::clamp(plan.right, least_right, width * 0.5f));
   }
   plan.bottom = shares.bottom > 0 ? static_cast<float>(shares.bottom) * height : in.headline;
-  plan.bottom = std::round(std::clamp(plan.bottom, in.headline, height * 0.7f));
+  plan.bottom = std::round(std::clamp(plan.bottom, in.headline, std::max(in.headline, height * 0.7f)));
   return plan;
 }
 

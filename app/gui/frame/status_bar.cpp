@@ -60,6 +60,8 @@ std::string camera_text(const Camera& camera) {
                      keyboard_layout().labels_of_places(fly_keys));
 }
 
+constexpr float most_for_messages = 0.35f;  // of the window's height; more of them is scrolled to
+
 bool passes(const Message& message) { return message.kind == Message::Kind::information; }
 
 std::string newest_news(const Session& session) {
@@ -202,9 +204,12 @@ void message_bars(Session& session, StatusBarState& state, float left, float rig
   }
   ImGui::SetNextWindowPos({left, bottom}, ImGuiCond_Always, {0, 1});
   ImGui::SetNextWindowSize({right - left, 0});
+  const float most = ImGui::GetIO().DisplaySize.y * most_for_messages;
+  ImGui::SetNextWindowSizeConstraints({right - left, 0}, {right - left, most});
   ImGui::Begin("messages", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize);
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                   ImGuiWindowFlags_AlwaysAutoResize);
   for (std::size_t i = 0; i < messages.size(); ++i) {
     if (passes(messages[i])) continue;
     if (!message_bar(fmt::format("message/{}", i), kind_of(messages[i].kind), messages[i].text)) continue;

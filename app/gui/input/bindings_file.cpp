@@ -10,7 +10,9 @@ std::string load_bindings(const std::filesystem::path& path, Actions& actions) {
   std::error_code error;
   if (path.empty() || !std::filesystem::exists(path, error)) return {};
   try {
-    actions.rebind(read_whole_file(path, largest_file), path.string());
+    std::string text = read_whole_file(path, largest_file);
+    if (text.starts_with("\xEF\xBB\xBF")) text.replace(0, 3, "   ");  // a byte order mark
+    actions.rebind(text, path.string());
   } catch (const InputError& problem) {
     return problem.what() + std::string("; the keys stay as they are");
   }

@@ -11,6 +11,7 @@
 #include "base/check.h"
 #include "base/file_lock.h"
 #include "base/number_text.h"
+#include "base/spelling.h"
 #include "base/user_folder.h"
 
 namespace ps::gui {
@@ -33,14 +34,14 @@ std::map<std::string, std::string> parse_state(const std::string& text, std::vec
   if (json.is_discarded()) throw InputError("found no JSON, expected what the window writes there");
   if (!json.is_object()) throw InputError(fmt::format("found {}, expected an object", json.type_name()));
   if (const auto format = json.find(format_key); format != json.end() && *format != this_format)
-    throw OtherVersion(fmt::format("found format {} of {} version, expected {}", format->dump(),
+    throw OtherVersion(fmt::format("found format {} of {} version, expected {}", shown_start(format->dump()),
                                    *format < this_format ? "an older" : "another", this_format));
   std::map<std::string, std::string> entries;
   for (const auto& [key, value] : json.items())
     if (value.is_string())
       entries[key] = value.get<std::string>();
     else if (key != format_key)
-      odd.push_back(fmt::format("{}: found {}, expected text", key, value.type_name()));
+      odd.push_back(fmt::format("{}: found {}, expected text", shown_start(key), value.type_name()));
   return entries;
 }
 
@@ -91,7 +92,9 @@ StateFile::StateFile(std::filesystem::path path) : path_(std::move(path)) {
   try {
     std::vector<std::string> odd;
     entries_ = read_ = parse_state(read_whole_file(path_, largest_state), odd);
-    for (const std::string& what : odd) complaints_.push_back(fmt::format("{}: {}; ignored", path_.string(), what));
+    if (!odd.empty())
+      complaints_.push_back(fmt::format("{}: {}{}; ignored", path_.string(), odd.front(),
+                                        odd.size() == 1 ? "" : fmt::format(" and {} more such", odd.size() - 1)));
   } catch (const OtherVersion& problem) {
     keep_aside(problem.what(), ".old");
   } catch (const InputError& problem) {
@@ -129,7 +132,7 @@ double StateFile::number(const std::string& key, double low, double high) {
 
 void StateFile::complain(const std::string& key, const std::string& expected) {
   complaints_.push_back(
-      fmt::format("{}: {}: found '{}', expected {}; ignored", path_.string(), key, get(key), expected));
+      fmt::format("{}: {}: found '{}', expected {}; ignored", path_.string(), key, shown_start(get(key)), expected));
 }
 
 void StateFile::set(const std::string& key, std::string value) {

@@ -1,12 +1,14 @@
 #include "gui/platform/window.h"
 
 #include <SDL.h>
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <atomic>
 #include <cstdlib>
 #include <utility>
 
+#include "base/spelling.h"
 #include "gui/platform/display.h"
 #include "gui/platform/events.h"
 #include "gui/platform/imgui_version.h"
@@ -27,6 +29,13 @@ bool has_display() {
   return set("DISPLAY") || set("WAYLAND_DISPLAY") || set("SDL_VIDEODRIVER");
 }
 
+/// Where no display answers, SDL goes on to drivers that show nothing, unless it was told to use one of them.
+bool shows_nothing(const std::string& driver) {
+  const char* wanted = std::getenv("SDL_VIDEODRIVER");
+  return (driver == "offscreen" || driver == "dummy" || driver == "evdev") &&
+         (!wanted || std::string(wanted).find(driver) == std::string::npos);
+}
+
 [[noreturn]] void fail(const std::string& what) { throw WindowError("The window cannot be opened: " + what); }
 
 }  // namespace
@@ -37,6 +46,14 @@ Window::Window(const std::string& title, const WindowPlacement& placement) {
   SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");
   SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
   if (SDL_Init(SDL_INIT_VIDEO) != 0) fail(SDL_GetError());
+  if (shows_nothing(SDL_GetCurrentVideoDriver())) {
+    SDL_Quit();
+    const auto quoted = [](const char* name) {
+      const char* value = std::getenv(name);
+      return value && *value ? fmt::format(" {}='{}'", name, shown_start(value)) : std::string();
+    };
+    fail(fmt::format("no display answers at{}{}", quoted("DISPLAY"), quoted("WAYLAND_DISPLAY")));
+  }
   wake_event = SDL_RegisterEvents(1);
   const WindowSize size = opening_size(placement.size);
 

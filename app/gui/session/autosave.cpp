@@ -183,15 +183,18 @@ void Autosave::save(const std::string& text) {
   std::filesystem::create_directories(folder_, ignored);
   try {
     if (name_.empty()) {
-      if (!find_own_name()) return folder_.clear();
+      if (!find_own_name()) throw InputError(folder_.string() + ": no name is free");
       if (marked_) std::ofstream(with_ending(lock_ending)) << restored_mark;
     }
     write_file_atomically(with_ending(saved_ending), text, Durability::quick);
     saved_ = text;
+    problem_.clear();
     if (!restored_.empty()) std::filesystem::remove(std::exchange(restored_, {}), ignored);
-  } catch (const InputError&) {
-    if (!name_.empty()) std::filesystem::remove(with_ending(lock_ending), ignored);
-    folder_.clear();  // a folder that cannot be written will not become writable with the next change
+  } catch (const InputError& error) {
+    problem_ = error.what();
+    if (!saved_.empty()) return;
+    lock_.reset();
+    if (!name_.empty()) std::filesystem::remove(with_ending(lock_ending), ignored);  // it guards nothing
     name_.clear();
   }
 }

@@ -40,8 +40,10 @@ class Autosave {
   }
   /// Takes the mark of a restored session away: its screen can be drawn and worked with.
   void outlived_start();
-  /// Saves `text` unless it is what was saved last. A failure is not reported, and ends all further tries.
+  /// Saves `text` unless it is what was saved last. After a failure the next call tries again.
   void save(const std::string& text);
+  /// Why the last save() failed; "" if it did not.
+  const std::string& problem() const { return problem_; }
   /// Leaves the file when this object goes: the program is ended from outside.
   void keep() { keep_ = true; }
 
@@ -52,7 +54,7 @@ class Autosave {
   std::filesystem::path folder_;
   std::string name_;  ///< of the own files, without their ending; empty before the first save()
   std::optional<FileLock> lock_;
-  std::string saved_;
+  std::string saved_, problem_;
   std::filesystem::path restored_;
   bool marked_ = false;  ///< in the lock file, as soon as there is one
   bool keep_ = false;

@@ -17,7 +17,7 @@ std::string part_name(std::string_view name, std::string_view key) {
 
 /// Why choice `i` cannot act now.
 std::string_view idle_reason(const ControlStyle& style, std::size_t i) {
-  return i < style.idle.size() ? style.idle[i] : std::string_view{};
+  return style.idle ? style.idle(i) : std::string_view{};
 }
 
 /// A choice that cannot act is greyed, but can be taken: other settings may wake it.

@@ -130,7 +130,9 @@ bool message_bar(std::string_view name, MessageKind kind, std::string_view text)
   }
   draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {start.x + inset + mark_width, y}, colour_u32(p.text),
                text.data(), text.data() + text.size(), wrap);
-  ImGui::SetCursorScreenPos({end.x - button_width - px(5), start.y + (height - ImGui::GetFrameHeight()) / 2});
+  // In sight also where the window cuts a long text off.
+  const float above = std::min((height - ImGui::GetFrameHeight()) / 2, 2 * ImGui::GetFrameHeight());
+  ImGui::SetCursorScreenPos({end.x - button_width - px(5), start.y + above});
   const bool dismissed = button("dismiss", "Dismiss", Emphasis::plain, {.width = button_width});
   ImGui::SetCursorScreenPos(start);
   ImGui::Dummy({room, height});

@@ -165,10 +165,10 @@ std::array<OptionRowResult, 2> option_pair(const Option& option, std::array<Sett
     const ImVec2 at = form.stacked ? ImVec2{start.x, cells_top + form.height * static_cast<float>(i)}
                                    : ImVec2{start.x + (i == 0 ? columns.a : columns.b), cells_top};
     const float width = form.stacked ? room : columns.width;
-    std::vector<std::string_view> idle;
-    for (const Choice& choice : option.choices)
-      idle.push_back(inactive_choice_reason(option, choice, settings[i], traits).value_or(std::string_view{}));
-    ControlStyle style{.width = width, .idle = idle};
+    ControlStyle style{.width = width};
+    style.idle = [&, i](std::size_t choice) {
+      return inactive_choice_reason(option, option.choices[choice], settings[i], traits).value_or(std::string_view{});
+    };
     style.disabled = inactive_reason(option, settings[i], traits).value_or(std::string_view{});
     style.quiet = i != picked;
     if (style.quiet && !differ) style.shown = "=";

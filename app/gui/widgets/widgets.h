@@ -23,9 +23,10 @@ struct ControlStyle {
   std::string_view tooltip = {};   ///< what it does; wrapped
   std::string_view disabled = {};  ///< not empty: greyed, and this reason is shown in the tooltip
   float width = 0;                 ///< 0 = as wide as its text (buttons) or the space that is left (others)
-  std::span<const std::string_view> idle = {};  ///< of choices, one for each: why it cannot act now, or nothing
-  std::string_view shown = {};                  ///< not empty: written in place of the value
-  bool quiet = false;                           ///< without a field behind it: what comes second in its row
+  /// Why a choice cannot act now, or nothing, by its place. Of a list that is closed only the chosen one is asked.
+  std::function<std::string_view(std::size_t)> idle = {};
+  std::string_view shown = {};  ///< not empty: written in place of the value
+  bool quiet = false;           ///< without a field behind it: what comes second in its row
 };
 
 // --- buttons.cpp ---

@@ -160,7 +160,7 @@ void turn_to_verdict(const std::vector<TextLine>& lines, const std::vector<std::
 void turn_by_wheel(ReadPage& read) {
   const float wheel = ImGui::GetIO().MouseWheel;
   if (wheel == 0 || !ImGui::IsWindowHovered() || wheel_is_taken()) return;
-  read.page = std::clamp(read.page + (wheel < 0 ? 1 : -1), 0, read.pages - 1);
+  read.page = std::clamp(read.page + (wheel < 0 ? 1 : -1), 0, std::max(read.pages - 1, 0));
 }
 
 /// Beside the line of a verdict, down from the end of the line before.

@@ -25,7 +25,12 @@ void LessonQuestions::read_answers(Session& session) {
   if (answers_read_ || !remember_) return;
   answers_read_ = true;
   try {
-    for (const GivenAnswer& each : kept_answers(answers_file()))
+    const KeptAnswers kept = kept_answers(answers_file());
+    if (!kept.damaged.empty())
+      session.say(Message::Kind::warning,
+                  fmt::format("{} of {} lines of the answers of before are damaged and skipped. The first: {}",
+                              kept.damaged.size(), kept.damaged.size() + kept.answers.size(), kept.damaged.front()));
+    for (const GivenAnswer& each : kept.answers)
       answered_[key_of(each.lesson, each.step)] = {
           each.answer, {each.points, fmt::format("You answered: {}. {}", each.answer, verdict_words(each.points))}};
   } catch (const InputError& error) {

@@ -65,7 +65,9 @@ void sweep_choice(ChartTabState& state, float width) {
   const auto named = std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return c.key == shown; });
   int index = static_cast<int>(named - choices.begin());
   if (named == choices.end()) choices.push_back({own_sweep, "A custom sweep", ""});
-  const std::vector<std::string_view> idle(state.idle_sweeps.begin(), state.idle_sweeps.end());
+  const auto idle = [&state](std::size_t sweep) -> std::string_view {
+    return sweep < state.idle_sweeps.size() ? std::string_view(state.idle_sweeps[sweep]) : std::string_view{};
+  };
   if (!choice("sweep", choices, index,
               {.tooltip = "The sweep: one picture for each combination of values.", .width = width, .idle = idle}))
     return;

@@ -78,7 +78,8 @@ void draw_safe_window(ImDrawList& list, const Curves& curves, const PlotFrame& f
   ImFont* font = theme().font(Face::small);
   const char* text = "safe";
   const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text).x;
-  const float x = std::clamp((left + right - width) / 2, in.min.x + px(3), in.max.x - width - px(3));
+  const float least = in.min.x + px(3), most = std::max(least, in.max.x - width - px(3));
+  const float x = std::clamp((left + right - width) / 2, least, most);
   list.AddText(font, font->FontSize, {x, in.min.y + px(2)}, colour_u32(palette().text), text);
 }
 
