@@ -48,12 +48,11 @@ std::optional<Parting> part_at_children(const Comparison& c, const Sighting& a, 
                                         std::string_view kind, int depth) {
   if (from_a.empty() != from_b.empty()) {
     const bool in_a = !from_a.empty();
-    return Parting{
-        PartingCause::missing_bounce,
-        fmt::format("{} follows the {} ray from bounce {} on, {} does not{}.", in_a ? "A" : "B", kind, depth + 1,
-                    in_a ? "B" : "A",
-                    because(c, {"reflection-depth", "reflection-cutoff", "refraction", "renderer", "environment"})),
-        in_a ? from_a.front() : a.seen, in_a ? b.seen : from_b.front()};
+    return Parting{PartingCause::missing_bounce,
+                   fmt::format("{} follows the {} ray from bounce {} on, {} does not{}.", in_a ? "A" : "B", kind,
+                               depth + 1, in_a ? "B" : "A",
+                               because(c, {"renderer", "reflection-depth", "reflection-cutoff", "refraction"})),
+                   in_a ? from_a.front() : a.seen, in_a ? b.seen : from_b.front()};
   }
   if (from_a.empty()) return std::nullopt;
   return part_at_sighting(c, sight_of_ray(c.a.story, from_a.front()), sight_of_ray(c.b.story, from_b.front()),
@@ -134,18 +133,24 @@ int count_writes(const PixelStory& story) {
 
 std::string passes_text(int count) { return count == 1 ? "one pass" : fmt::format("{} passes", count); }
 
+/// How two colours came to differ in their last digits.
+std::string rounding_text(const Comparison& c) {
+  if (!c.both_rays() && !c.both_fragments())
+    return fmt::format(
+        "A ends with {} and B with {}: a ray and a fragment meet the surface at slightly different points",
+        vector_text(c.a.story.linear), vector_text(c.b.story.linear));
+  const int writes_a = count_writes(c.a.story), writes_b = count_writes(c.b.story);
+  if (writes_a == writes_b) return "Both take the same steps; only the last digits differ";
+  return fmt::format("A adds up this pixel's colour in {}, B in {}; only the last digits of the sums differ",
+                     passes_text(writes_a), passes_text(writes_b));
+}
+
 /// Nothing but rounding: small at every step, and yet enough to end on another level.
 std::optional<Parting> part_at_last_digits(const Comparison& c) {
-  const std::string why = because(c, {"precision", "sphere-test", "triangle-test", "self-hit", "shadow-epsilon",
-                                      "reflection-epsilon", "epsilon-unit", "renderer"});
+  const std::string why = because(c, {"renderer", "precision", "sphere-test", "triangle-test", "self-hit",
+                                      "shadow-epsilon", "reflection-epsilon", "epsilon-unit"});
   if (why.empty() || !c.same(c.a.story.linear, c.b.story.linear)) return std::nullopt;
-  const int writes_a = count_writes(c.a.story), writes_b = count_writes(c.b.story);
-  const std::string steps =
-      writes_a == writes_b
-          ? "Both take the same steps; only the last digits differ"
-          : fmt::format("A adds up this pixel's colour in {}, B in {}; only the last digits of the sums differ",
-                        passes_text(writes_a), passes_text(writes_b));
-  return Parting{PartingCause::precision, steps + why + ".", last_event(c.a), last_event(c.b)};
+  return Parting{PartingCause::precision, rounding_text(c) + why + ".", last_event(c.a), last_event(c.b)};
 }
 
 }  // namespace
@@ -210,7 +215,7 @@ Parting first_step(const Scene& scene, const StorySide& a, const StorySide& b) {
   const StorySide side_a = stepped_a ? StorySide{stepped_a->story, stepped_a->settings} : a;
   const StorySide side_b = stepped_b ? StorySide{stepped_b->story, stepped_b->settings} : b;
   Comparison c{scene, side_a, side_b};
-  if (c.with_listing() && differs(c, "sample-position")) {
+  if (c.with_listing() && explains(c, "sample-position")) {
     // A listing samples the corner, so that nearly all numbers differ a little. Large differences are reported before
     // that.
     c.slack = half_a_pixel;

@@ -35,7 +35,7 @@ Parting left_out_by_listing(const Comparison& c, const Sighting& winner, const S
   if (is_tessellated(c.scene, winner.id))
     return says(PartingCause::coverage,
                 fmt::format("The listing of {} draws only models, so it leaves out {}", letter, name), {});
-  if (differs(c, "draw"))
+  if (explains(c, "draw"))
     return says(PartingCause::coverage, fmt::format("The listing of {} draws only the edges of {}", letter, name),
                 {"draw"});
   return says(
@@ -82,7 +82,7 @@ std::optional<Parting> why_lost(const Comparison& c, const StorySide& won, const
     const auto* fragment = event_at<FragmentEvent>(won.story, winner.seen);
     const bool on_an_edge = (fragment && through_an_edge(fragment->edges)) || through_an_edge(reject->edges);
     if (is_tessellated(c.scene, winner.id) && !c.two_rasterizers() && only_triangles &&
-        !(on_an_edge && differs(c, "fill-rule")))
+        !(on_an_edge && explains(c, "fill-rule")))
       return says(
           PartingCause::tessellation,
           fmt::format("{} is drawn as triangles, and the triangles in {} do not reach this pixel", name, letter),
@@ -98,7 +98,7 @@ std::optional<Parting> why_lost(const Comparison& c, const StorySide& won, const
   }
   if (fate.event < 0) {
     if (lost.story.listing) return left_out_by_listing(c, winner, won, says, letter);
-    if (differs(c, "clipping") || differs(c, "near") || differs(c, "far"))
+    if (explains(c, "clipping") || explains(c, "near") || explains(c, "far"))
       return says(PartingCause::clipping, fmt::format("{} clips away the part of {} at this pixel", letter, name),
                   {"clipping", "near", "far"});
     return std::nullopt;
@@ -111,7 +111,7 @@ std::optional<Parting> why_lost(const Comparison& c, const StorySide& won, const
             ? fmt::format("{} fails the depth test in {}{}", name, letter, depth_against_text(*fragment))
             : fmt::format("{} is drawn in {} too, but painted over later", name, letter);
     const bool by_order = !because(c, {"visibility", "depth-value"}).empty();
-    const bool other_triangles = differs(c, "tessellation") || c.two_ways();
+    const bool other_triangles = explains(c, "tessellation") || c.two_ways();
     if (!by_order && other_triangles && only_triangles &&
         (is_tessellated(c.scene, winner.id) || is_tessellated(c.scene, fate.winner)))
       return says(PartingCause::tessellation, text + "; curved surfaces are drawn there as triangles",
@@ -206,7 +206,7 @@ Parting ray_and_fragment_differ(const Comparison& c, const Sighting& a, const Si
   if (ray.id.object >= 0) {
     const StorySide& traced = ray_is_a ? c.a : c.b;
     const auto found = why_lost(c, traced, ray, raster, letter);
-    const bool by_rule = found && found->cause == PartingCause::fill_rule && differs(c, "fill-rule");
+    const bool by_rule = found && found->cause == PartingCause::fill_rule && explains(c, "fill-rule");
     if (by_rule || (found && found->cause != PartingCause::coverage && found->cause != PartingCause::fill_rule))
       return *found;
   }

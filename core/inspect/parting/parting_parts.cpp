@@ -12,10 +12,21 @@ namespace {
 /// A listing and a kernel may do the same sums in another order.
 constexpr double other_order = 1e-9;
 
-/// Does the renderer of one side not act on the option, as drivers on sub-pixel bits? Then its values explain nothing.
-bool is_lacked(const StorySide& side, std::string_view key) {
-  const RendererKind& kind = renderer_kind(side.settings.renderer);
-  return kind.lacks_option && kind.lacks_option(*find_option(key), side.settings).has_value();
+const Option& option_named(std::string_view key) {
+  const Option* option = find_option(key);
+  PS_ASSERT(option, "causes name options by their keys");
+  return *option;
+}
+
+/// Has the option a value with which this side acts on it?
+bool acts_on(const Comparison& c, const StorySide& side, const Option& option) {
+  return !inactive_reason(option, side.settings, c.traits) && !inactive_value_reason(option, side.settings, c.traits);
+}
+
+/// As a person has set it: a listing's story is compared in the settings of the renderer whose steps it takes.
+std::string value_text(const Option& option, const StorySide& side) {
+  if (option.key == "renderer" && side.story.listing) return "textbook";
+  return option_text(option, side.settings);
 }
 
 }  // namespace
@@ -24,7 +35,7 @@ double Comparison::tolerance() const {
   if (a.story.renderer != b.story.renderer) return std::max(slack, 2e-3);
   for (const std::string_view key : {"precision", "self-hit", "shadow-epsilon", "reflection-epsilon", "epsilon-unit",
                                      "sphere-test", "triangle-test", "sample-position"})
-    if (differs(*this, key)) return std::max(slack, 1e-4);
+    if (explains(*this, key)) return std::max(slack, 1e-4);
   return std::max(slack, with_listing() ? other_order : 0.0);
 }
 
@@ -37,22 +48,27 @@ bool Comparison::same(const Vec3d& x, const Vec3d& y) const {
   return same(x.x, y.x) && same(x.y, y.y) && same(x.z, y.z);
 }
 
-bool differs(const Comparison& c, std::string_view key) {
-  const Option* option = find_option(key);
-  PS_ASSERT(option, "causes name options by their keys");
-  return option->get(c.a.settings) != option->get(c.b.settings);
+bool explains(const Comparison& c, std::string_view key) {
+  const Option& option = option_named(key);
+  const OptionNumber in_a = option.get(c.a.settings), in_b = option.get(c.b.settings);
+  if (in_a == in_b) return false;
+  const bool acts_a = acts_on(c, c.a, option), acts_b = acts_on(c, c.b, option);
+  if (acts_a && acts_b) return true;
+  return (acts_a && in_a != option.default_value()) || (acts_b && in_b != option.default_value());
 }
 
 std::string option_difference(const Comparison& c, std::string_view key) {
-  const Option* option = find_option(key);
-  PS_ASSERT(option, "causes name options by their keys");
-  return fmt::format("{} is {} in A and {} in B", key, option_text(*option, c.a.settings),
-                     option_text(*option, c.b.settings));
+  const Option& option = option_named(key);
+  const bool acts_a = acts_on(c, c.a, option), acts_b = acts_on(c, c.b, option);
+  if (acts_a == acts_b)
+    return fmt::format("{} is {} in A and {} in B", key, value_text(option, c.a), value_text(option, c.b));
+  return fmt::format("{} is {} in {}, and {} does not use it", key, value_text(option, acts_a ? c.a : c.b),
+                     acts_a ? "A" : "B", acts_a ? "B" : "A");
 }
 
 std::string because(const Comparison& c, std::initializer_list<std::string_view> keys) {
   for (const std::string_view key : keys)
-    if (differs(c, key) && !is_lacked(c.a, key) && !is_lacked(c.b, key)) return ": " + option_difference(c, key);
+    if (explains(c, key)) return ": " + option_difference(c, key);
   return {};
 }
 
@@ -60,19 +76,11 @@ std::string because(const Comparison& c, const Option* option) {
   return option ? ": " + option_difference(c, option->key) : "";
 }
 
-bool acts_on(const Comparison& c, const StorySide& side, std::string_view key) {
-  const Option* option = find_option(key);
-  PS_ASSERT(option, "causes name options by their keys");
-  const SceneTraits traits = scene_traits(c.scene);
-  return !inactive_reason(*option, side.settings, traits) && !inactive_value_reason(*option, side.settings, traits);
-}
-
 namespace {
 
 /// May this option make the difference? The renderer itself is spoken of by the steps.
 bool may_part(const Comparison& c, const Option& option) {
-  if (option.effect != OptionEffect::picture || option.group == "Renderer" || !differs(c, option.key)) return false;
-  return acts_on(c, c.a, option.key) || acts_on(c, c.b, option.key);
+  return option.effect == OptionEffect::picture && option.group != "Renderer" && explains(c, option.key);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ struct Comparison {
   const StorySide& a;
   const StorySide& b;
   double slack = 0;  ///< least tolerance; for a first look at what is far more than rounding
+  SceneTraits traits = scene_traits(scene);
   /// One of the two is a textbook listing, with the events of the renderer whose steps it takes.
   bool with_listing() const { return a.story.listing || b.story.listing; }
   bool both_rays() const { return sends_rays(a.story.renderer) && sends_rays(b.story.renderer); }
@@ -38,24 +39,24 @@ const T* event_at(const PixelStory& story, int index) {
   return index < 0 ? nullptr : std::get_if<T>(&story.events[static_cast<std::size_t>(index)].data);
 }
 
-/// Whether the option with this key has another value in A than in B.
-bool differs(const Comparison& c, std::string_view key);
-/// "fill-rule is top-left in A and inclusive in B"
+/// Can the option with this key be what makes A and B different? It has another value in B, and both sides act on
+/// theirs. An option that one side alone acts on counts where its value there is not the default; elsewhere it is the
+/// renderer that makes the difference, or the option that keeps the other side from acting on it.
+bool explains(const Comparison& c, std::string_view key);
+/// "fill-rule is top-left in A and inclusive in B", or "mip-bias is 2 in B, and A does not use it".
 std::string option_difference(const Comparison& c, std::string_view key);
-/// The same for the first of `keys` that differs, after ": "; nothing if none does.
+/// The same for the first of `keys` that explains a difference, after ": "; nothing if none does.
 std::string because(const Comparison& c, std::initializer_list<std::string_view> keys);
 /// ": " and the difference of this option; nothing for nullptr.
 std::string because(const Comparison& c, const Option* option);
-/// The first option of these groups of the table that changes pictures, differs and can act in A or in B, else nullptr.
-/// What two renderers do differently is no cause where such an option differs.
+/// The first option of these groups of the table that changes pictures and explains a difference, else nullptr. What
+/// two renderers do differently is no cause where there is such an option.
 const Option* differing_option(const Comparison& c, std::initializer_list<std::string_view> groups);
 /// That of the options that decide what is seen: those of the camera, of samples, visibility and drawing. Nullptr
 /// beside a listing, which has rules of its own for them.
 const Option* differing_in_what_is_seen(const Comparison& c);
-/// All options that change pictures, differ and can act in A or in B: "draw is filled in A and points in B, ...".
+/// All options that change pictures and explain a difference: "draw is filled in A and points in B, ...".
 std::string all_differences(const Comparison& c);
-/// Has the option a value with which this side acts on it?
-bool acts_on(const Comparison& c, const StorySide& side, std::string_view key);
 
 /// The steps, each in a file of its own; nothing if that step does not part the stories.
 std::optional<Parting> part_at_winner(const Comparison& c, const Sighting& a, const Sighting& b);

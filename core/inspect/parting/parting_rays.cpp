@@ -74,7 +74,7 @@ Parting rays_saw_different_things(const Comparison& c, const Sighting& a, const 
   const bool own_a = starts_on(c.a.story, a), own_b = starts_on(c.b.story, b);
   if (own_a != own_b)
     for (const std::string_view key : epsilon_keys)
-      if (differs(c, key))
+      if (explains(c, key))
         return says(PartingCause::epsilon,
                     fmt::format("The ray of {} hits the surface that it starts from, at t = {}", own_a ? "A" : "B",
                                 number_text(own_a ? t_of(c.a.story, a) : t_of(c.b.story, b))),
@@ -88,14 +88,14 @@ Parting rays_saw_different_things(const Comparison& c, const Sighting& a, const 
   if (!tested.outcome && other.story.listing && is_no_sphere(c.scene, winner.id))
     return says(PartingCause::visibility, fmt::format("{}: the listing of {} supports only spheres", saw, loser), {});
   if (!tested.outcome)
-    return says(differs(c, "accelerator") || differs(c, "slab-test") ? PartingCause::precision
-                                                                     : PartingCause::unexplained,
+    return says(explains(c, "accelerator") || explains(c, "slab-test") ? PartingCause::precision
+                                                                       : PartingCause::unexplained,
                 fmt::format("{}: {} never tested {}", saw, loser, primitive_name(c.scene, winner.id)),
                 {"slab-test", "accelerator"});
   switch (*tested.outcome) {
   case TestOutcome::before_range:
     for (const std::string_view key : epsilon_keys)
-      if (differs(c, key))
+      if (explains(c, key))
         return says(PartingCause::epsilon,
                     fmt::format("{}: the hit at t = {} is below t min of the ray of {}", saw,
                                 number_text(nearer_a ? t_of(c.a.story, a) : t_of(c.b.story, b)), loser),
@@ -122,8 +122,8 @@ Parting rays_saw_different_things(const Comparison& c, const Sighting& a, const 
   case TestOutcome::tie_lost:
     break;
   }
-  const bool arithmetic = differs(c, "precision") || uses_embree(c.a) != uses_embree(c.b) ||
-                          differs(c, "sphere-test") || differs(c, "triangle-test") || differs(c, "triangle-epsilon");
+  const bool arithmetic = explains(c, "precision") || uses_embree(c.a) != uses_embree(c.b) ||
+                          explains(c, "sphere-test") || explains(c, "triangle-test") || explains(c, "triangle-epsilon");
   return says(arithmetic ? PartingCause::precision : PartingCause::unexplained,
               fmt::format("{}: the test of {} reports \"{}\" in {}", saw, primitive_name(c.scene, winner.id),
                           outcome_text(*tested.outcome), loser),

@@ -21,10 +21,10 @@ const FragmentEvent* fragment_of(const Comparison& c, const Sighting& a, const S
   return event_at<FragmentEvent>(c.b.story, b.seen);
 }
 
-/// The first key of the list that differs, if any.
-std::optional<std::string_view> first_differing(const Comparison& c, std::initializer_list<std::string_view> keys) {
+/// The first key of the list that can explain a difference, if any.
+std::optional<std::string_view> first_explaining(const Comparison& c, std::initializer_list<std::string_view> keys) {
   for (const std::string_view key : keys)
-    if (differs(c, key)) return key;
+    if (explains(c, key)) return key;
   return std::nullopt;
 }
 
@@ -34,12 +34,12 @@ Parting light_differs(const Comparison& c, int event_a, int event_b, const Sight
   const auto says = [&](PartingCause cause, const std::string& why) {
     return Parting{cause, what + why + ".", event_a, event_b};
   };
-  if (const auto key = first_differing(c, {"shading", "normals", "normal-transform", "renormalise", "normal-mapping"}))
+  if (const auto key = first_explaining(c, {"shading", "normals", "normal-transform", "renormalise", "normal-mapping"}))
     return says(PartingCause::shading_position, because(c, {*key}));
-  if (const auto key = first_differing(c, {"lighting", "illumination", "highlight", "specular", "attenuation"}))
+  if (const auto key = first_explaining(c, {"lighting", "illumination", "highlight", "specular", "attenuation"}))
     return says(PartingCause::light_model, because(c, {*key}));
-  if (differs(c, "interpolation")) return says(PartingCause::interpolation, because(c, {"interpolation"}));
-  if (differs(c, "precision")) return says(PartingCause::precision, because(c, {"precision"}));
+  if (explains(c, "interpolation")) return says(PartingCause::interpolation, because(c, {"interpolation"}));
+  if (explains(c, "precision")) return says(PartingCause::precision, because(c, {"precision"}));
   if (const Option* option = differing_option(c, {"Shading"}))
     return says(PartingCause::light_model, because(c, option));
   if (c.two_ways() && !because(c, {"tessellation"}).empty())
@@ -56,6 +56,12 @@ Parting light_differs(const Comparison& c, int event_a, int event_b, const Sight
     return says(PartingCause::shading_position, ": ray and fragment shade slightly different points");
   }
   return says(PartingCause::unexplained, ", unexplained");
+}
+
+/// Rays trace shadows whatever algorithm the option names; fragments have no rays to trace.
+bool computes_shadows(const StorySide& side) {
+  const Shadows shadows = side.settings.shadows;
+  return shadows != Shadows::none && (sends_rays(side.story.renderer) || shadows != Shadows::traced);
 }
 
 /// An option that decides whether a light reaches the point, or which point it is.
@@ -79,16 +85,17 @@ std::optional<Parting> part_at_blocker(const Comparison& c, int index_a, int ind
   const auto says = [&](PartingCause cause, const std::string& why) {
     return Parting{cause, text + why + ".", index_a, index_b};
   };
-  if (differs(c, "shadows")) return says(PartingCause::missing_shadow, because(c, {"shadows"}));
+  if (explains(c, "shadows")) return says(PartingCause::missing_shadow, because(c, {"shadows"}));
   if (c.a.story.renderer != c.b.story.renderer) {
-    if (c.with_listing() || !acts_on(c, c.a, "shadows") || !acts_on(c, c.b, "shadows"))
+    const Option* option = c.with_listing() ? nullptr : differing_for_shadows(c);
+    if (option) return says(PartingCause::missing_shadow, because(c, option));
+    if (c.with_listing() || !computes_shadows(c.a) || !computes_shadows(c.b))
       return says(PartingCause::missing_shadow, ": only one of the two renderers computes shadows");
-    if (const Option* option = differing_for_shadows(c)) return says(PartingCause::missing_shadow, because(c, option));
     return says(PartingCause::missing_shadow, ": the renderers compute shadows with different algorithms");
   }
-  if (const auto key = first_differing(c, {"self-hit", "shadow-epsilon", "epsilon-unit"}))
+  if (const auto key = first_explaining(c, {"self-hit", "shadow-epsilon", "epsilon-unit"}))
     return says(PartingCause::epsilon, because(c, {*key}));
-  if (const auto key = first_differing(c, {"precision", "sphere-test", "triangle-test", "triangle-epsilon"}))
+  if (const auto key = first_explaining(c, {"precision", "sphere-test", "triangle-test", "triangle-epsilon"}))
     return says(PartingCause::precision, because(c, {*key}));
   return says(PartingCause::unexplained, ", unexplained");
 }
@@ -108,8 +115,8 @@ std::optional<Parting> part_at_shadow(const Comparison& c, int index_a, int inde
     return Parting{cause, text + why + ".", index_a, index_b};
   };
   if (const auto key =
-          first_differing(c, {"shadows", "volume-caps", "volume-length", "volume-depth-clamp", "stencil-bits",
-                              "shadow-map-size", "shadow-bias", "shadow-slope-bias", "shadow-filter", "near", "far"}))
+          first_explaining(c, {"shadows", "volume-caps", "volume-length", "volume-depth-clamp", "stencil-bits",
+                               "shadow-map-size", "shadow-bias", "shadow-slope-bias", "shadow-filter", "near", "far"}))
     return says(PartingCause::missing_shadow, because(c, {*key}));
   if (const Option* option = differing_for_shadows(c)) return says(PartingCause::missing_shadow, because(c, option));
   if (c.two_rasterizers()) return says(PartingCause::missing_shadow, ": the two renderers round differently");
@@ -133,13 +140,13 @@ std::optional<Parting> part_at_texture(const Comparison& c, const Sighting& a, c
   const auto says = [&](PartingCause cause, const std::string& text) {
     return Parting{cause, text + ".", index_a, index_b};
   };
-  if (differs(c, "interpolation"))
+  if (explains(c, "interpolation"))
     return says(PartingCause::interpolation,
                 fmt::format("The texture is read at ({}, {}) in A and at ({}, {}) in B", number_text(read_a.uv.x),
                             number_text(read_a.uv.y), number_text(read_b.uv.x), number_text(read_b.uv.y)) +
                     because(c, {"interpolation"}));
   const bool texels_known = !read_a.texels.empty() && !read_b.texels.empty();
-  if (differs(c, "texture-filter") || differs(c, "texture-wrap") || differs(c, "anisotropy"))
+  if (explains(c, "texture-filter") || explains(c, "texture-wrap") || explains(c, "anisotropy"))
     return says(PartingCause::filter,
                 (texels_known ? fmt::format("A blends {} texels and B {}", read_a.texels.size(), read_b.texels.size())
                               : std::string("A and B filter the texture differently")) +
@@ -152,7 +159,7 @@ std::optional<Parting> part_at_texture(const Comparison& c, const Sighting& a, c
         PartingCause::level,
         fmt::format("A reads mip level {} and B level {}", number_text(read_a.level), number_text(read_b.level)) + why);
   }
-  if (differs(c, "precision"))
+  if (explains(c, "precision"))
     return says(PartingCause::precision, "The texels' weights differ" + because(c, {"precision"}));
   if (!texels_known)
     return says(

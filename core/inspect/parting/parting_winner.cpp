@@ -32,7 +32,7 @@ std::optional<Parting> part_at_place(const Comparison& c, const Sighting& a, con
     return std::nullopt;
   const std::string where = fmt::format("Both draw {}, A at z = {} and B at z = {}", primitive_name(c.scene, a.id),
                                         number_text(*depth_a), number_text(*depth_b));
-  if (differs(c, "sample-position"))
+  if (explains(c, "sample-position"))
     return Parting{PartingCause::eye_ray, where + because(c, {"sample-position"}) + ".", a.seen, b.seen};
   return Parting{PartingCause::coverage, where + ": the listing truncates vertex positions to whole pixels.", a.seen,
                  b.seen};
@@ -59,7 +59,7 @@ std::optional<Parting> part_at_point(const Comparison& c, const Sighting& a, con
                    fmt::format("Both hit {}; the {} takes the nearer root, the other the farther root{}.", where,
                                *root_a < *root_b ? "ray of A" : "ray of B", because(c, {"near", "sphere-test"})),
                    a.seen, b.seen};
-  if (differs(c, "precision"))
+  if (explains(c, "precision"))
     return Parting{
         PartingCause::precision,
         fmt::format("Both hit {}: only the last digits of the arithmetic differ{}.", where, because(c, {"precision"})),
