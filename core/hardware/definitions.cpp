@@ -102,6 +102,8 @@ std::string definitions(const PicturePlan& plan, const raster::Surface<float>& s
       .add("PARALLAX", relief ? static_cast<int>(s.parallax) : 0)
       .add("PARALLAX_STEPS", s.parallax_steps)
       .add("MIRRORS", mirrors(plan, surface))
+      .add("REFLECTION_MAP", reflects_picture(plan, surface))
+      .add("CUBE_CROSS", material.surroundings == Surroundings::cube)
       .add("DEFERRED", plan.defers)
       .add("LIMITS_BY_SHADER", plan.counts_volumes)
       .add("SHADES_WHOLE_PICTURE", 0)
@@ -115,7 +117,7 @@ std::string definitions(const PicturePlan& plan, const raster::Surface<float>& s
 
 std::string volume_definitions(const PicturePlan& plan, bool clip_control, ProgramUse use) {
   Lines lines = of_picture(plan, 0, clip_control, use);
-  lines.add("RELIEF", 0);
+  lines.add("RELIEF", 0).add("REFLECTION_MAP", 0);
   return lines.take();
 }
 
@@ -124,6 +126,7 @@ std::string deferred_definitions(const PicturePlan& plan, bool clip_control, Pro
   lines.add("RELIEF", 0)
       .add("SPECULAR", plan.settings.specular)
       .add("MIRRORS", plan.mirrors)
+      .add("REFLECTION_MAP", 0)
       .add("DEFERRED", 1)
       .add("SHADES_WHOLE_PICTURE", 1)
       .add("TABLE_COLUMNS", surface_table_columns);

@@ -107,7 +107,9 @@ std::string option_page() {
   }
   page +=
       "\nSome choices are honoured together with others only: shadow maps with light computed at vertices need a depth "
-      "buffer, and deferred shading with light computed at vertices has no shadows.\n";
+      "buffer, and deferred shading with light computed at vertices has no shadows. Where a material has a picture of "
+      "its "
+      "surroundings, its surfaces are shaded as they are drawn, also with deferred shading.\n";
   return page;
 }
 

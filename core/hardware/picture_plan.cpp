@@ -40,7 +40,11 @@ PicturePlan make_plan(const Scene& scene, const View& view, const Settings& sett
   plan.maps_shadows = raster::uses_shadow_maps(settings, scene);
   plan.counts_volumes = raster::uses_stencil(settings, scene);
   plan.mirrors = raster::uses_environment(settings, scene);
-  plan.defers = raster::defers_shading(settings) && (settings.shading == Shading::phong || !lights_separately(plan));
+  // A picture of the surroundings is read where its surface is drawn, which the shading of the whole picture is not.
+  const bool pictures = std::any_of(plan.surfaces.list.begin(), plan.surfaces.list.end(),
+                                    [&](const auto& surface) { return reflects_picture(plan, surface); });
+  plan.defers =
+      raster::defers_shading(settings) && !pictures && (settings.shading == Shading::phong || !lights_separately(plan));
   plan.farthest = farthest_of(plan);
   plan.region = request.region;
   return plan;
@@ -62,6 +66,10 @@ bool mirrors(const PicturePlan& plan, const raster::Surface<float>& surface) {
   const raster::AttributeLayout& layout = surface.layout;
   return plan.mirrors && surface.material.reflective > 0 && !layout.reflection_map &&
          layout.position != raster::AttributeLayout::absent;
+}
+
+bool reflects_picture(const PicturePlan& plan, const raster::Surface<float>& surface) {
+  return plan.settings.draw == Draw::filled && surface.layout.reflection_map;
 }
 
 bool driver_keeps_depth(const PicturePlan& plan, bool clip_control) {

@@ -63,6 +63,8 @@ Vec2d shifted_centre(const PicturePlan& plan);
 
 /// Does the surface look up its surroundings in an environment map? A picture of them in its material comes first.
 bool mirrors(const PicturePlan& plan, const raster::Surface<float>& surface);
+/// Does it show the picture of the surroundings in its material?
+bool reflects_picture(const PicturePlan& plan, const raster::Surface<float>& surface);
 
 /// Does the driver interpolate the depth that the options ask for? Otherwise the fragment shader computes it.
 bool driver_keeps_depth(const PicturePlan& plan, bool clip_control);

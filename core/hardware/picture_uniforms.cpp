@@ -114,9 +114,9 @@ void PictureDrawer::set_surface(Program& program, const raster::Surface<float>& 
   }
   if (mirrors(plan_, surface)) {
     set_environment(program);
-    program.set("reflective", material.reflective);
     program.set("environment_layer", shop_.environment.first_layer(surface.object));
   }
+  program.set("reflective", material.reflective);
   if (!plan_.textures) return;
   int unit = 0;
   for (const auto& [name, texture] : {std::pair{"surface", material.texture},
@@ -124,7 +124,8 @@ void PictureDrawer::set_surface(Program& program, const raster::Surface<float>& 
                                       {"specular", material.specular_map},
                                       {"ambient", material.ambient_map},
                                       {"normal", material.normal_map},
-                                      {"height", material.height_map}}) {
+                                      {"height", material.height_map},
+                                      {"reflection", material.reflection_map}}) {
     if (texture < 0) continue;
     const MipChain& chain = (*plan_.textures)[static_cast<std::size_t>(texture)];
     const Vec4<int> layout = shop_.textures.bind(chain, unit, plan_.settings, shop_.driver().max_size);

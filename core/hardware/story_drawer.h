@@ -119,6 +119,7 @@ class StoryDrawer : private PictureDrawer {
   void report_lights(const FragmentEvent& fragment, NearTriangle& triangle, const Asked& asked, const DrawPass& pass,
                      const Outcome& outcome);
   void report_vertex_lights(const FragmentEvent& fragment, NearTriangle& triangle, const DrawPass& pass);
+  bool shows_surroundings(const NearTriangle& triangle) const;
   void report_mirror(const NearTriangle& triangle, const Asked& asked);
   void report_write(const FragmentEvent& fragment, NearTriangle& triangle, const Asked& asked, const DrawPass& pass,
                     const Outcome& outcome);

@@ -111,22 +111,32 @@ void StoryDrawer::report_surface(const NearTriangle& triangle, const Asked& aske
   });
 }
 
+bool StoryDrawer::shows_surroundings(const NearTriangle& triangle) const {
+  const raster::Surface<float>& surface = plan_.surfaces.list[triangle.run.surface];
+  return mirrors(plan_, surface) || reflects_picture(plan_, surface);
+}
+
 void StoryDrawer::report_mirror(const NearTriangle& triangle, const Asked& asked) {
   const raster::Surface<float>& surface = plan_.surfaces.list[triangle.run.surface];
-  if (!mirrors(plan_, surface)) return;
-  const auto& map = (*plan_.environment)[static_cast<std::size_t>(surface.object)];
+  if (!shows_surroundings(triangle)) return;
   const auto ask = [&](Page what) { return page(asked, what); };
   const Vec4f place = ask(Page::mirror_place);
-  if (!map || !(place.z > 0)) return;
+  if (!(place.z > 0)) return;
   const Vec4f mirrored = ask(Page::mirrored);
-  recorder_.event([&] {
-    return EnvironmentEvent{map->centre,
-                            vector_of(ask(Page::mirror_direction)),
-                            static_cast<int>(mirrored.w),
-                            {static_cast<double>(place.x), static_cast<double>(place.y)},
-                            vector_of(mirrored),
-                            map->left_out};
-  });
+  const Vec2d at(static_cast<double>(place.x), static_cast<double>(place.y));
+  if (reflects_picture(plan_, surface)) {
+    recorder_.event([&] {
+      return TextureEvent{surface.material.reflection_map, at, 0, {}, vector_of(mirrored), TextureUse::reflection};
+    });
+  } else {
+    const auto& map = (*plan_.environment)[static_cast<std::size_t>(surface.object)];
+    if (!map) return;
+    recorder_.event([&] {
+      return EnvironmentEvent{
+          map->centre,  vector_of(ask(Page::mirror_direction)), static_cast<int>(mirrored.w), at, vector_of(mirrored),
+          map->left_out};
+    });
+  }
   recorder_.event([&] {
     return ReflectionEvent{static_cast<double>(place.z), vector_of(ask(Page::unmirrored)), vector_of(mirrored),
                            vector_of(ask(Page::shaded))};
@@ -150,8 +160,7 @@ void StoryDrawer::report_write(const FragmentEvent& fragment, NearTriangle& tria
   if (plan_.settings.lighting && plan_.settings.draw == Draw::filled) {
     report_lights(fragment, triangle, asked, pass, outcome);
     const auto ask = [&](Page what) { return page(asked, what); };
-    const bool mirrors_here = mirrors(plan_, plan_.surfaces.list[triangle.run.surface]);
-    const Vec4f unmirrored = mirrors_here ? ask(Page::unmirrored) : shaded;
+    const Vec4f unmirrored = shows_surroundings(triangle) ? ask(Page::unmirrored) : shaded;
     recorder_.event([&] {
       return ShadeEvent{vector_of(ask(Page::colour)), vector_of(ask(Page::light)), vector_of(ask(Page::extra)),
                         vector_of(unmirrored)};

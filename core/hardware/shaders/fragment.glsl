@@ -10,6 +10,9 @@
 #if MIRRORS && !DEFERRED
 #include "environment.glsl"
 #endif
+#if REFLECTION_MAP && !DEFERRED
+#include "reflection_map.glsl"
+#endif
 #if READS_TEXTURES
 #include "texturing.glsl"
 #endif
@@ -58,8 +61,10 @@ OUTPUT(3) vec4 fragment_weights;  // of vertices 0 and 1, or NO_WEIGHTS without 
 #endif
 
 uniform vec3 surface_colour;
-#if MIRRORS
+#if MIRRORS || REFLECTION_MAP
 uniform float reflective;
+#endif
+#if MIRRORS
 uniform int environment_layer;  // the first of the object's map
 #endif
 uniform int object_number;
@@ -234,12 +239,16 @@ void main() {
   story_lighting = lighting;
 #endif
 #endif
-#if MIRRORS
+#if MIRRORS || REFLECTION_MAP
 #if ONE_LIGHT
   bool first_pass = light_number == first_light;
 #else
   bool first_pass = true;
 #endif
+#endif
+#if REFLECTION_MAP
+  colour = reflect_picture(colour, AT_FRAGMENT(carried_position), unit_normal, reflective, first_pass);
+#elif MIRRORS
   colour =
       mirror_environment(colour, AT_FRAGMENT(carried_position), unit_normal, reflective, environment_layer, first_pass);
 #endif

@@ -33,7 +33,7 @@ void report_shading(Lighting lighting, vec4 result) {
       story_value = story_terms;
       break;
 #endif
-#if MIRRORS && SHADES_HERE
+#if (MIRRORS || REFLECTION_MAP) && SHADES_HERE
     case PAGE_MIRRORED:
       story_value = story_mirrored;
       break;
