@@ -95,6 +95,8 @@ TEST_P(WindowFit, NothingIsCutInAnyModeOrTool) {
   look_at("presenter with slow motion", "key S\n");
   look_at("split", "key S\nkey Esc\nkey F3\nkey X\n");
   look_at("difference", "key D\n");
+  look_at("difference in the presenter", "key F5\n");
+  look_at("difference again", "key Esc\nkey F3\n");
   look_at("object with its gizmo", "key D\nkey T\nclick-pixel A 20,30\nwait idle\nclick options/object\n");
   look_at("false colours", "key N\n");
   look_at("presets and bookmarks", "key Shift+N\nkey M\nwait frames 3\nclick kept/preset-name\ntype mine\n"

@@ -34,9 +34,9 @@ bool part_of(std::string_view name, std::string_view whole) {
 
 /// What is there to have other things over it: pictures, plots, and lines whose parts have names of their own.
 bool is_ground(std::string_view name) {
-  constexpr std::array<std::string_view, 13> ends{"/picture", "/nan",   "/divider", "/notice", "/view",
-                                                  "/pixel",   "/plot",  "/axis",    "/strip",  "/footer",
-                                                  "/time",    "/scale", "/left-out"};
+  constexpr std::array<std::string_view, 14> ends{"/picture", "/nan",   "/divider",  "/notice", "/view",
+                                                  "/pixel",   "/plot",  "/axis",     "/strip",  "/footer",
+                                                  "/time",    "/scale", "/left-out", "/covered"};
   return std::any_of(ends.begin(), ends.end(), [&](std::string_view end) { return name.ends_with(end); });
 }
 

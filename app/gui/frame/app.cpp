@@ -133,7 +133,8 @@ App::Parts::Parts(Shell& of, const AppOptions& options, Document document)
                                                              files.ask(std::move(question));
                                                            }},
       panels(panel_table(session, my, host)), regions(session, my, panels),
-      menu_bar(session, shell.actions(), panels, about, my.lessons.read), autosave(autosave_folder(options)) {
+      menu_bar(session, shell.actions(), panels, about, my.lessons.read, my.pictures.compare),
+      autosave(autosave_folder(options)) {
   my.kept.presets = parse_kept(shell.remembered(presets_key));
   my.kept.bookmarks = parse_kept(shell.remembered(bookmarks_key));
   my.kept.remember = [this](const char* key, std::string lines) { shell.remember_lines(key, std::move(lines)); };
@@ -283,6 +284,10 @@ void App::Parts::close_on_escape() {
     return;
   }
   my.pictures.fly = false;
+  if (my.predict.on && prediction_pending(session, my.predict) && asks_about_pixel(session, my.predict)) {
+    my.predict.on = false;
+    return;
+  }
   if (session.region()) return session.set_region({});
   if (!session.document().layout.filled.empty()) return fill_window(session, {});
   if (my.history.open) {

@@ -131,9 +131,13 @@ float MenuBar::compare_buttons_width() const {
 void MenuBar::compare_buttons(float left) {
   ImGui::SetCursorPosX(left);
   const NameScope scope("compare");
+  const CompareMode wanted = session_.document().compare;
   for (const auto& mode : modes)
-    if (button_on_off(compare_key(mode.mode), mode.label, session_.document().compare == mode.mode,
-                      {.tooltip = with_key(mode.help, compare_key(mode.mode)), .disabled = {}}))
+    if (button_on_off(compare_key(mode.mode), mode.label, shown_ == mode.mode,
+                      {.tooltip = mode.mode == wanted && shown_ != wanted
+                                      ? "Both pictures side by side: two have no room here that one does not fill "
+                                        "better, so they are shown as a split."
+                                      : with_key(mode.help, compare_key(mode.mode))}))
       session_.navigate([&](Document& document) { document.compare = mode.mode; });
 }
 

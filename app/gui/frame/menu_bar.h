@@ -14,8 +14,8 @@ namespace ps::gui {
 class MenuBar {
  public:
   MenuBar(Session& session, const Actions& actions, const std::vector<Panel>& panels, About& about,
-          const ReadLessons& read)
-      : session_(session), actions_(actions), panels_(panels), about_(about), read_(read) {}
+          const ReadLessons& read, const CompareMode& shown)
+      : session_(session), actions_(actions), panels_(panels), about_(about), read_(read), shown_(shown) {}
   void draw();
 
  private:
@@ -34,6 +34,7 @@ class MenuBar {
   const std::vector<Panel>& panels_;
   About& about_;
   const ReadLessons& read_;
+  const CompareMode& shown_;  ///< how the pictures are arranged, which the window's size may change
   float lessons_height_ = 0;  ///< of the list in the menu, when it was drawn last
 };
 

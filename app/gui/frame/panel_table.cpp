@@ -142,7 +142,8 @@ void update_question(Session& session, PanelStates& my) {
   }
   my.lessons.verdict = shown_verdict(questions);
   const bool asks_bug = questions.asked_beside_text(session) && questions.question()->kind == AskKind::bug;
-  my.lessons.holds_back = questions.asked_beside_text(session) && !asks_bug;
+  // Also where it is not asked: a projector is not to show what the audience is asked afterwards.
+  my.lessons.holds_back = questions.open() && questions.question()->kind != AskKind::bug;
   auto wrong_line = questions.bug_verdict(session);
   my.listing.reveal |= wrong_line && !my.listing.marks.marked;
   my.listing.marks = {asks_bug && questions.bug_shown(session) ? &questions.answer.line : nullptr,
@@ -190,13 +191,20 @@ Panel pixel(Session& session, PanelStates& my, const PanelHost& host) {
                              .label = "Predict: ask before the story is shown",
                              .group = "Pixel",
                              .keys = "Q",
-                             .run = [&] { my.predict.on = !my.predict.on; },
+                             .run =
+                                 [&] {
+                                   if (my.predict.on)
+                                     my.predict.on = false;
+                                   else
+                                     ask_about_pixels(session, my.predict);
+                                 },
                              .checked = [&] { return my.predict.on; }});
               },
           .publish =
               [&](Values& out) {
                 out.offer("predict/points", [&] { return my.predict.points; });
                 out.offer("predict/asked", [&] { return my.predict.asked; });
+                out.offer("predict/open", [&] { return prediction_pending(session, my.predict); });
                 out.offer("question/open", [&] { return my.predict.lesson->open(); });
                 out.offer("question/given", [&] { return my.predict.lesson->given(); });
                 out.offer("question/verdict", [&] {

@@ -15,10 +15,11 @@ namespace {
 
 constexpr float lines_of_page = 3;
 
-/// The step's text without links and controls, which are not for an audience.
-std::vector<TextBlock> spoken_blocks(const LessonStep& step) {
+/// The step's text without links and controls, which are not for an audience. While a question is open, without what
+/// to look for, which would answer it.
+std::vector<TextBlock> spoken_blocks(const LessonStep& step, bool holds_back) {
   std::vector<TextBlock> blocks = step.blocks;
-  blocks.insert(blocks.end(), step.hints.begin(), step.hints.end());
+  if (!holds_back) blocks.insert(blocks.end(), step.hints.begin(), step.hints.end());
   for (TextBlock& block : blocks)
     for (TextSpan& span : block.spans) {
       span.style = TextStyle::plain;
@@ -65,7 +66,7 @@ void caption_strip(Session& session, LessonShelf& shelf) {
   follow_step(session, caption);
   const FontScope font(Face::caption);
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const std::vector<TextBlock> blocks = spoken_blocks(step);
+  const std::vector<TextBlock> blocks = spoken_blocks(step, shelf.holds_back);
   std::vector<TextLine> lines;
   for (std::size_t i = 0; i < blocks.size(); ++i)
     lay_out(blocks[i], i < step.blocks.size() ? mark_of(blocks[i]) : "→", Face::caption, room.x, lines);

@@ -172,6 +172,7 @@ void difference_view(Session& session, PicturesState& state, const Area& title, 
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
   controls().record("picture", state.identical ? "identical" : "different");
+  controls().record("map", "");  // the same, as what may not lie over the tools (fit.h)
   const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
   picture_input(session, state, Side::a, area, {});
   state.areas[0] = area;

@@ -72,7 +72,7 @@ void add_view_actions(Actions& actions, Session& session, PicturesState& picture
                  .keys = keys,
                  .run = [&session, mode] { set_compare(session, mode); },
                  .enabled = not_flying,
-                 .checked = [&session, mode] { return session.document().compare == mode; }});
+                 .checked = [&pictures, mode] { return pictures.compare == mode; }});
   };
   actions.add(
       {.name = std::string(compare_key(CompareMode::side_by_side)),
@@ -81,7 +81,7 @@ void add_view_actions(Actions& actions, Session& session, PicturesState& picture
        .keys = "",
        .run =
            [&session] { session.navigate([](Document& document) { document.compare = CompareMode::side_by_side; }); },
-       .checked = [&session] { return session.document().compare == CompareMode::side_by_side; }});
+       .checked = [&pictures] { return pictures.compare == CompareMode::side_by_side; }});
   compare(CompareMode::split, "Split: drag the divider", "X");
   compare(CompareMode::difference, "Difference B - A", "D");
   compare(CompareMode::only_a, "Only A", "");

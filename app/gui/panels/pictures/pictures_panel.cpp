@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "gui/panels/pictures/difference_view.h"
 #include "gui/panels/pictures/handles_view.h"
@@ -14,6 +15,7 @@
 #include "gui/panels/pictures/picture_gizmo.h"
 #include "gui/panels/pictures/slow_strip.h"
 #include "gui/platform/imgui_version.h"
+#include "gui/widgets/redraw.h"
 #include "gui/widgets/widgets.h"
 #include "render/left_out.h"
 #include "render/renderer_table.h"
@@ -366,6 +368,7 @@ void pictures_panel(Session& session, PicturesState& state, const Area& area, co
   // Only the difference asks for its number; one that comes after it was left must not keep the window from resting.
   state.meter->rest();
   state.meter->take_news();
+  const CompareMode compared_last = std::exchange(state.compare, session.document().compare);
   const Vec2i size = state.pictures[0].size();
   const Area one = framed(area, state.captions, 2).picture;
   if (pixels_of(size, one, PictureFit::even_pixels) < place.least_pixels) state.fit = PictureFit::whole_place;
@@ -377,6 +380,7 @@ void pictures_panel(Session& session, PicturesState& state, const Area& area, co
     if (2 * pixels_of(size, each, PictureFit::even_pixels) < place.least_pixels) state.fit = PictureFit::whole_place;
     const double two = 2 * pixels_of(size, each, state.fit);
     if (two < place.least_pixels && pixels_of(size, one, state.fit) > two) {
+      state.compare = CompareMode::split;
       split_view(session, state, area);
       break;
     }
@@ -388,7 +392,9 @@ void pictures_panel(Session& session, PicturesState& state, const Area& area, co
     split_view(session, state, area);
     break;
   case CompareMode::difference: {
-    const auto [title, inner, footer] = framed(area, state.captions, 2);
+    auto [title, inner, footer] = framed(area, state.captions, 2);
+    // Its tools are as high as controls are, also where titles are brief.
+    inner.min.y = title.max.y = std::max(title.max.y, title.min.y + ImGui::GetFrameHeight() + px(4));
     const DifferencePlaces places = difference_places(inner, state.pictures[0].size());
     state.transform = current_transform(session.document(), state.pictures[0].size(), places.picture, state.fit);
     difference_view(session, state, title, places);
@@ -406,6 +412,7 @@ void pictures_panel(Session& session, PicturesState& state, const Area& area, co
     one_side(session, state, Side::b, area);
     break;
   }
+  if (state.compare != compared_last) redraw_after(0);  // the menu bar, which was drawn before, shows it
   loupe(state);
   if (state.hover) prepare_story(session, session.renderer(state.hover->side), *state.hover, state.ahead);
 }

@@ -79,6 +79,7 @@ struct PicturesState {
   bool fly = false;    ///< letters move the camera
 
   PictureCaptions captions = PictureCaptions::full;  ///< as they were drawn last
+  CompareMode compare = CompareMode::side_by_side;   ///< the same: split where side by side had no room
   PictureFit fit = PictureFit::even_pixels;
   std::optional<float> split_at;             ///< the divider's place in the window, while A and B share one picture
   std::array<std::optional<Area>, 2> areas;  ///< where each side was drawn in the last frame

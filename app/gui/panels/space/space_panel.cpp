@@ -92,8 +92,10 @@ void show_popup(Session& session, SpacePanelState& state) {
     ImGui::Dummy({px(26), 1});
     ImGui::SameLine();
     bool shown = groups[static_cast<std::size_t>(row.group)];
-    if (toggle(row.key, row.label, shown, {.tooltip = row.help}))
+    if (toggle(row.key, row.label, shown, {.tooltip = row.help})) {
       edit_outside(session, [&](OutsideView& look) { switch_group(look, row.group); });
+      if (row.group == SpaceGroup::nodes && !shown) state.whole_tree = false;  // it is made of these boxes
+    }
   }
   ImGui::Spacing();
   ImGui::TextUnformatted("Boxes down to level");
@@ -103,9 +105,12 @@ void show_popup(Session& session, SpacePanelState& state) {
              {.tooltip = "0 is the bounding box of the whole scene.", .width = px(180)})
           .changed)
     edit_outside(session, [&](OutsideView& look) { look.deepest_level = deepest; });
-  toggle("tree", "Whole tree", state.whole_tree,
-         {.tooltip =
-              "Also shows boxes that no ray of this pixel was tested against: the whole accelerator, level by level."});
+  const bool boxes = groups[static_cast<std::size_t>(SpaceGroup::nodes)];
+  if (toggle("tree", "Whole tree", state.whole_tree,
+             {.tooltip = "Also shows boxes that no ray of this pixel was tested against: the whole accelerator, level "
+                         "by level. Shows the accelerator boxes, if they are hidden."}) &&
+      state.whole_tree && !boxes)
+    edit_outside(session, [&](OutsideView& look) { switch_group(look, SpaceGroup::nodes); });
   if (state.tree && state.tree->nodes > 0)
     ImGui::TextUnformatted(fmt::format("{} nodes; {} primitives, listed {} times", state.tree->nodes,
                                        state.tree->primitives, state.tree->entries)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "document/layout_names.h"
 #include "gui/panels/lesson/lesson_panel.h"
 #include "gui/widgets/draw.h"
 #include "inspect/guess_text.h"
@@ -121,6 +122,22 @@ bool asks_otherwise(const Session& session, const PredictState& state) {
   return kind != AskKind::pixel && kind != AskKind::bug;
 }
 
+/// Whether a question that no lesson asks has a place in the window: that of the pixel's story, or beside a lesson.
+bool has_place(const Document& document) {
+  const Layout& layout = document.layout;
+  const bool alone = !layout.filled.empty();
+  switch (document.mode) {
+  case ScreenMode::explore:
+    return alone ? layout.filled == region_names::right : layout.panels && layout.pixel_open;
+  case ScreenMode::lesson:
+  case ScreenMode::study:
+    return !document.lesson.empty() && layout.panels && (!alone || layout.filled == region_names::lesson);
+  case ScreenMode::presenter:
+    return false;
+  }
+  return false;
+}
+
 /// The story helps to find a wrong line.
 bool asks_for_line(const Session& session, const PredictState& state) {
   return state.lesson->asked_beside_text(session) && state.lesson->question()->kind == AskKind::bug;
@@ -146,7 +163,18 @@ bool prediction_pending(Session& session, PredictState& state) {
     state.chosen = false;
   }
   if (state.asked_pixel != *pixel || state.asked_settings != settings) return false;
-  return lesson_asks || (state.on && state.words.empty() && !state.answered);
+  return lesson_asks || (state.on && state.words.empty() && !state.answered && has_place(session.document()));
+}
+
+void ask_about_pixels(Session& session, PredictState& state) {
+  state.on = true;
+  state.asked_pixel = {-1, -1};
+  if (has_place(session.document())) return;
+  session.navigate([](Document& document) {
+    document.mode = ScreenMode::explore;
+    document.layout.panels = document.layout.pixel_open = true;
+    document.layout.filled.clear();
+  });
 }
 
 bool asks_about_pixel(const Session& session, const PredictState& state) {

@@ -29,6 +29,10 @@ struct PredictState {
 /// lesson that are not about the picked pixel's story hide it too, while they are asked beside the text.
 bool prediction_pending(Session& session, PredictState& state);
 
+/// From now on every picked pixel is asked about, beginning with the one that is. Opens the panel that asks, wherever
+/// the window has no place for the question: one that cannot be seen hides nothing.
+void ask_about_pixels(Session& session, PredictState& state);
+
 /// Whether the open question is about the picked pixel, whose surroundings answer it.
 bool asks_about_pixel(const Session& session, const PredictState& state);
 

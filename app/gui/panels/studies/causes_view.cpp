@@ -57,6 +57,8 @@ void causes_view(const Session& session, const WhyTabState& state) {
     if (state.causes.running())
       return quiet_text(status.total > 0 ? status_text(status, "pictures") : "Rendering pictures between A and B.");
     if (state.causes.state() == StudyState::failed) return quiet_text("Failed: " + state.causes.message());
+    if (session.settings(Side::a) == session.settings(Side::b))
+      return quiet_text("There is no difference to explain. Change an option in one of the pictures first.");
     return quiet_text("A and B may differ in several options. Which of them causes how much of the difference? Each "
                       "option's share is its effect, averaged over all orders of switching (Shapley value).");
   }

@@ -96,10 +96,12 @@ void causes_buttons(Session& session, WhyTabState& state) {
     if (button("cancel", "Stop", Emphasis::plain, {.width = px(82)})) state.causes.cancel();
     return;
   }
-  const bool same = session.settings(Side::a) == session.settings(Side::b);
+  if (session.settings(Side::a) == session.settings(Side::b)) {
+    ImGui::AlignTextToFramePadding();
+    return value_text("reason", "A and B have the same options.");
+  }
   if (button("find", "Find out", Emphasis::primary,
-             {.tooltip = "Renders A with options of B, in every order, and divides the difference among them.",
-              .disabled = same ? "A and B have the same options." : ""}))
+             {.tooltip = "Renders A with options of B, in every order, and divides the difference among them."}))
     find_causes(session, state);
 }
 
