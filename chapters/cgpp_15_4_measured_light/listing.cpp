@@ -181,7 +181,7 @@ const Listing cgpp_15_4_measured_light{
     .shows = "Models by rays, with lights whose power spreads, and shadows.",
     .order = ListingOrder::pixel_by_pixel,
     .reads = {"shadow-epsilon", "near"},
-    .draws = {.models = true, .light = true, .shadows = true},
+    .draws = {.models = true, .light = true, .light_colours = true, .tints = true, .shadows = true},
     .as_settings =
         [](Settings& settings) {
           settings.illumination = Illumination::radiometric;

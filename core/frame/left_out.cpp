@@ -1,6 +1,30 @@
 #include "frame/left_out.h"
 
+#include <fmt/format.h>
+
 namespace ps {
+
+std::optional<LeftOut> missing_light(const SceneTraits& traits, const Settings& settings, std::string_view subject) {
+  if (!settings.lighting || !(traits.spheres || traits.triangles || traits.solids || traits.csg)) return {};
+  const auto black = [&](std::string_view reason, std::string_view notice, Remedy other) {
+    LeftOut found{LeftOutKind::effect,
+                  fmt::format("shows black surfaces: {}", reason),
+                  fmt::format("{} shows black surfaces, since {}. Set lighting = off to see their local colours.",
+                              subject, reason),
+                  std::string(notice),
+                  {{"Lighting off", "lighting=off"}}};
+    if (!other.setting.empty()) found.remedies.insert(found.remedies.begin(), std::move(other));
+    return found;
+  };
+  if (traits.light_count == 0) return black("the scene has no light", "No light: surfaces are black.", {});
+  if (traits.shining_lights == 0)
+    return black("no light of the scene shines", "No light shines: surfaces are black.", {});
+  const bool one = settings.light_shown != all_lights;
+  if (one && !shines(traits, static_cast<std::size_t>(settings.light_shown)))
+    return black("the only light shown adds nothing", "No light: the only one shown adds nothing.",
+                 {"All lights", "light-shown=all"});
+  return {};
+}
 
 bool asks_for_shadows(const SceneTraits& traits, const Settings& settings) {
   return settings.lighting && settings.draw == Draw::filled && traits.casting_lights &&
@@ -8,7 +32,8 @@ bool asks_for_shadows(const SceneTraits& traits, const Settings& settings) {
 }
 
 bool asks_for_reflections(const SceneTraits& traits, const Settings& settings) {
-  return traits.reflective && settings.draw == Draw::filled && settings.reflection_depth > 0;
+  const bool mirrors = traits.mirrors || (traits.reflection_maps && !settings.textures);
+  return mirrors && settings.draw == Draw::filled && settings.reflection_depth > 0;
 }
 
 }  // namespace ps

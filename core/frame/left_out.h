@@ -1,5 +1,7 @@
 #pragma once
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "options/settings.h"
@@ -27,7 +29,11 @@ struct LeftOut {
   std::vector<Remedy> remedies;
 };
 
-/// Would the picture have shadows, or reflections, if its renderer could make them?
+/// That the surfaces of the picture get no light, and why; nothing if they get some or need none. `subject` names the
+/// renderer at the beginning of a sentence.
+std::optional<LeftOut> missing_light(const SceneTraits& traits, const Settings& settings, std::string_view subject);
+
+/// Would the picture have shadows, or reflections of the scene, if its renderer could make them?
 bool asks_for_shadows(const SceneTraits& traits, const Settings& settings);
 bool asks_for_reflections(const SceneTraits& traits, const Settings& settings);
 

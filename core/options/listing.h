@@ -22,7 +22,8 @@ enum class ListingOrder {
   object_by_object  ///< it goes through everything that is drawn, whichever pixels are wanted
 };
 
-/// What of a scene a listing shows. All of them leave out planes, boxes, cylinders and CSG.
+/// What of a scene a listing shows. All of them leave out planes, boxes, cylinders and CSG, the attenuation of lights,
+/// and maps of anything but colour.
 struct ListingDraws {
   bool spheres = false;
   bool models = false;  ///< made of triangles
@@ -31,6 +32,8 @@ struct ListingDraws {
   bool canvas_intensities = false;  ///< the intensities h at their vertices
   bool canvas_gradients = false;    ///< vertices of different colours
   bool light = false;
+  bool light_colours = false;  ///< other than white
+  bool tints = false;          ///< colours of their own for highlights and ambient light
   bool shadows = false;
   bool reflections = false;
   bool textures = false;

@@ -10,6 +10,12 @@ Reason needs_casting_light(const Settings& s, const SceneTraits& t) {
   return {};
 }
 
+/// Of algorithms that need triangles.
+Reason needs_no_rays(const Settings& s, const SceneTraits&) {
+  if (sends_rays(s.renderer)) return "needs renderer = rasterizer: rays trace their shadows";
+  return {};
+}
+
 Reason needs_shadow_rays(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_casting_light(s, t)) return reason;
   if (s.shadows == Shadows::none) return "needs shadows";
@@ -80,11 +86,13 @@ std::vector<Option> shadow_rows() {
           {{"traced", "traced", "One shadow ray for each light; ray tracer only."},
            {"none", "none", "No light is ever blocked."},
            {"map", "shadow map",
-            "Depth as seen from the light, six maps around a point light: blocky edges, and acne without a bias."},
+            "Depth as seen from the light, six maps around a point light: blocky edges, and acne without a bias.",
+            needs_no_rays},
            {"stencil-depth-fail", "stencil, depth fail",
-            "Counts the shadow volume faces behind the surface: exact edges, right for every camera position."},
+            "Counts the shadow volume faces behind the surface: exact edges, right for every camera position.",
+            needs_no_rays},
            {"stencil-depth-pass", "stencil, depth pass",
-            "Counts the faces in front of the surface: wrong if the camera is inside a shadow."}}),
+            "Counts the faces in front of the surface: wrong if the camera is inside a shadow.", needs_no_rays}}),
       integer<&Settings::shadow_map_size>(
           {.key = "shadow-map-size",
            .label = "Shadow map size",

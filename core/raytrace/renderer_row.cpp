@@ -31,6 +31,16 @@ std::vector<LeftOut> left_out_by_rays(const SceneTraits& traits, const Settings&
                    "scene needs precision = double.",
                    "Detail is rounded away: needs precision = double.",
                    {{"Double", "precision=double"}}});
+  if (settings.lighting && traits.casting_lights && settings.shadows != Shadows::none &&
+      settings.shadows != Shadows::traced)
+    all.push_back(
+        {LeftOutKind::effect,
+         "traces its shadows",
+         "The ray tracer casts a shadow ray to each light, whichever algorithm of triangles shadows names. Set "
+         "renderer = rasterizer to see that algorithm.",
+         "Shadows are traced: only triangles have others.",
+         {{"Rasterizer", "renderer=rasterizer"}, {"Traced", "shadows=traced"}}});
+  if (auto dark = missing_light(traits, settings, "The ray tracer")) all.push_back(std::move(*dark));
   return all;
 }
 

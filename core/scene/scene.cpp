@@ -25,6 +25,7 @@ void note_material(const Material& material, SceneTraits& traits) {
   traits.light_maps = traits.light_maps || light_maps;
   traits.opacity_maps = traits.opacity_maps || material.opacity_map >= 0;
   traits.reflection_maps = traits.reflection_maps || (material.reflection_map >= 0 && material.reflective > 0);
+  traits.mirrors = traits.mirrors || (material.reflection_map < 0 && material.reflective > 0);
   traits.textures = traits.textures || light_maps || material.opacity_map >= 0 || material.reflection_map >= 0;
   traits.transparent = traits.transparent || material.transparency >= least_transparency || material.opacity_map >= 0;
   traits.any_transparency = traits.any_transparency || material.transparency > 0 || material.opacity_map >= 0;
@@ -77,6 +78,12 @@ SceneTraits scene_traits(const Scene& scene) {
   });
   traits.light_count = scene.lights->size();
   traits.outgrows_float = outgrows_float(scene);
+  for (std::size_t i = 0; i < scene.lights->size(); ++i) {
+    const Light& light = (*scene.lights)[i];
+    if (light.intensity == 0) continue;
+    traits.coloured_lights = traits.coloured_lights || light.colour != Vec3d(1);
+    if (light.colour != Vec3d(0)) traits.shining_lights |= 1u << std::min<std::size_t>(i, 31);
+  }
   traits.canvas_items = !scene.canvas_items->empty();
   traits.canvas_triangles =
       std::any_of(scene.canvas_items->begin(), scene.canvas_items->end(),

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -89,6 +90,7 @@ struct SceneTraits {
   bool light_maps = false;  ///< pictures of highlights or of ambient light
   bool opacity_maps = false;
   bool reflection_maps = false;  ///< on a surface that reflects
+  bool mirrors = false;          ///< a surface that reflects the scene, and no picture
   bool canvas_items = false;
   bool canvas_triangles = false;
   bool canvas_intensities = false;  ///< a filled shape on the canvas with an intensity h other than 1
@@ -96,11 +98,17 @@ struct SceneTraits {
   bool tinted = false;              ///< a surface whose ambient light or highlight has a colour of its own
   bool odd_highlights = false;      ///< a highlight's exponent is not a positive finite number
   bool any_transparency = false;    ///< a transparency above 0, even one that cannot be seen
+  bool coloured_lights = false;     ///< a light that is not white
   bool one_sided = false;           ///< triangles that are seen from their front alone
   bool dynamic = false;             ///< objects that are marked so
   bool outgrows_float = false;      ///< rays in float miss its detail (scene/working_space.h)
   std::size_t sphere_count = 0, light_count = 0;
+  std::uint32_t shining_lights = 0;  ///< see shines()
 };
+/// Whether this light of the scene has a brightness and a colour; of those from the 32nd on, whether any has.
+inline bool shines(const SceneTraits& traits, std::size_t light) {
+  return light < traits.light_count && (traits.shining_lights >> std::min<std::size_t>(light, 31) & 1u) != 0;
+}
 SceneTraits scene_traits(const Scene& scene);
 
 /// The material of triangle `triangle` of object `object` (or of the sphere, or of that part of a CSG object).

@@ -30,6 +30,7 @@ std::vector<LeftOut> gaps_of_listing(const SceneTraits& traits, const Settings& 
   const Listing& listing = chosen_listing(traits, settings);
   const ListingDraws& draws = listing.draws;
   const bool shows_space = draws.spheres || draws.models;
+  const bool lit = shows_space && settings.lighting && draws.light;
   constexpr auto objects = LeftOutKind::objects;
   constexpr auto effect = LeftOutKind::effect;
   constexpr std::string_view in_space = "renderer = ray-tracer", on_canvas = "renderer = rasterizer";
@@ -49,12 +50,20 @@ std::vector<LeftOut> gaps_of_listing(const SceneTraits& traits, const Settings& 
       {effect, traits.canvas_gradients && draws.canvas_triangles && !draws.canvas_gradients,
        "gradients between vertices of different colours", on_canvas},
       {effect, shows_space && settings.lighting && settings.draw == Draw::filled && !draws.light, "light", in_space},
+      {effect, lit && traits.coloured_lights && !draws.light_colours, "colours of lights", in_space},
+      {effect, lit && traits.attenuated && settings.attenuation, "attenuation of lights", in_space},
+      {effect, lit && ((traits.tinted && !draws.tints) || traits.light_maps), "colours of highlights and ambient light",
+       in_space},
+      {effect, lit && traits.normal_maps && settings.normal_mapping, "normal maps", in_space},
+      {effect, shows_space && traits.height_maps && settings.parallax != Parallax::off, "reliefs", in_space},
       {effect, shows_space && draws.light && asks_for_shadows(traits, settings) && !draws.shadows, "shadows", in_space},
       {effect,
        listing.order == ListingOrder::object_by_object && draws.shadows && asks_for_shadows(traits, settings) &&
            traits.point_lights,
        "shadows of point lights", in_space},
       {effect, shows_space && asks_for_reflections(traits, settings) && !draws.reflections, "reflections", in_space},
+      {effect, shows_space && traits.reflection_maps && settings.textures && settings.reflection_depth > 0,
+       "reflection maps", in_space},
       {effect, shows_space && traits.textures && !draws.textures, "textures", in_space},
       {effect, shows_space && traits.transparent, "transparency", in_space}};
   std::vector<LeftOut> all;
@@ -67,6 +76,13 @@ std::vector<LeftOut> gaps_of_listing(const SceneTraits& traits, const Settings& 
                    fmt::format("Leaves out {}: not in the listing of {}.", gap.what, listing.source),
                    {{rays ? "Ray tracer" : "Rasterizer", rays ? "renderer=ray-tracer" : "renderer=rasterizer"}}});
   }
+  const bool shows_a_surface = (traits.spheres && draws.spheres) || (traits.triangles && draws.models);
+  Settings own = settings;
+  if (!listing_reads(listing_of(settings, traits), "light-shown")) own.light_shown = all_lights;
+  const bool white_for_black = traits.coloured_lights && !draws.light_colours;
+  if (draws.light && shows_a_surface && !(traits.shining_lights == 0 && white_for_black))
+    if (auto dark = missing_light(traits, own, fmt::format("The listing of {}", listing.source)))
+      all.push_back(std::move(*dark));
   return all;
 }
 

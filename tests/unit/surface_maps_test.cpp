@@ -318,6 +318,7 @@ TEST(SurfaceMaps, FastPathsDeclineWithTheirReason) {
   EXPECT_EQ(reason(&SceneTraits::reflection_maps), "SIMD does not support reflection maps");
   settings.shading = Shading::gouraud;
   traits.light_maps = true;
+  traits.light_count = traits.shining_lights = 1;
   EXPECT_EQ(left_out_words(traits, settings), "; the rasterizer leaves out specular maps");
 }
 

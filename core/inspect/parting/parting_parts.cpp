@@ -25,7 +25,8 @@ bool acts_on(const Comparison& c, const StorySide& side, const Option& option) {
 
 /// As a person has set it: a listing's story is compared in the settings of the renderer whose steps it takes.
 std::string value_text(const Option& option, const StorySide& side) {
-  if (option.key == "renderer" && side.story.listing) return "textbook";
+  if (option.key == "renderer" && side.story.listing)
+    return std::string(renderer_kind(renderer_for(PictureWay::listing)).key);
   return option_text(option, side.settings);
 }
 
