@@ -2,22 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <system_error>
 
 #include "base/atomic_file.h"
 #include "base/check.h"
+#include "base/extension.h"
 #include "base/output_target.h"
 
 namespace ps::cli {
-
-std::string lower_extension(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 void require_output_file(const std::string& path, OutputKind kind) {
   output_target(path);

@@ -17,7 +17,4 @@ void write_result(const std::string& text, const std::string& out);
 /// Makes the folder if it is missing. Throws InputError where that fails.
 void make_folder(const std::filesystem::path& folder);
 
-/// ".png" for "A.PNG".
-std::string lower_extension(const std::string& path);
-
 }  // namespace ps::cli

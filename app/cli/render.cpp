@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/atomic_file.h"
+#include "base/extension.h"
 #include "base/kept_inputs.h"
 #include "base/progress_line.h"
 #include "base/timer.h"
@@ -100,7 +101,7 @@ void save_picture(const RenderArguments& arguments, const Document& document, co
   }
   SaveOptions options;
   options.pnm = arguments.ppm == "ascii" ? PnmForm::ascii : PnmForm::binary;
-  options.texts = image_texts(document_provenance(document, Side::a, frame.path.machinery));
+  options.texts = image_texts(document_provenance(document, Side::a, frame.path.machinery, arguments.output));
   if (show == ShownChannel::colour)
     save_image(arguments.output, levels.empty() ? display_frame(frame, settings) : levels, options);
   else

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "base/check.h"
+#include "base/extension.h"
 #include "base/spelling.h"
 #include "cli/output_file.h"
 #include "document/number_list.h"
@@ -101,8 +102,8 @@ Document load_document(const SceneArguments& arguments) {
   if (!arguments.side.empty() && !linked) throw InputError("--side: needs --permalink");
 
   Document document = linked ? open_link(arguments) : open_document(arguments.scene, load_scene(arguments.scene));
-  for (const std::string& warning : document.base.warnings) fmt::print(stderr, "{}\n", warning);
   for (const std::string& edit : arguments.edits) edit_scene(document, parse_edit(edit));
+  for (const std::string& warning : document.scene.warnings) fmt::print(stderr, "{}\n", warning);
   if (!linked) document.a.settings = settings_for(document.base);
   if (!arguments.size.empty()) {
     document.view.width = view.width;

@@ -11,9 +11,13 @@ namespace ps {
 inline constexpr const char* permalink_extension = ".permalink";
 
 /// The permalink that a file holds: the line of a .permalink file, or the text that pictures saved by the programs
-/// carry (PNG). Nothing for any other file, and for a picture without one. Throws InputError for a file that cannot be
-/// read.
+/// carry (PNG). Nothing for any other file, and for a picture without one. Relative paths in it that lead nowhere from
+/// the working folder are looked for from the file's folder and those above it. Throws InputError for a file that
+/// cannot be read.
 std::optional<std::string> permalink_in_file(const std::filesystem::path& path);
+
+/// The document's permalink for a file to hold it. Paths that permalink_in_file() would not find become absolute.
+std::string permalink_for_file(const std::filesystem::path& path, const Document& document);
 
 /// Writes the document's permalink as a file of one line. Throws InputError where it cannot be written.
 void save_permalink(const std::filesystem::path& path, const Document& document);

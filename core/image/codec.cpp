@@ -27,7 +27,6 @@ void* limited_realloc(void* block, std::size_t size) {
 #define STBI_FREE(block) std::free(block)
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
-#define STBI_ONLY_TGA
 #define STBI_NO_STDIO
 #define STBI_NO_HDR
 #define STBI_NO_LINEAR
@@ -56,22 +55,22 @@ namespace {
   throw InputError(fmt::format("{}: the picture cannot be decoded ({})", file, reason ? reason : "unknown reason"));
 }
 
-enum class DecodedPart { colour, alpha };
-
-/// `samples` holds three channels for the colour, four for the opacity.
+/// `samples` holds red, green, blue and opacity.
 template <class Sample>
-Image<Vec3f> unit_image(const Sample* samples, int width, int height, DecodedPart part) {
+StoredPicture unit_picture(const Sample* samples, int width, int height, bool has_alpha) {
   constexpr float largest = std::numeric_limits<Sample>::max();
-  Image<Vec3f> image(width, height);
-  for (Vec3f& pixel : image.pixels()) {
-    pixel =
-        part == DecodedPart::colour ? Vec3f(samples[0], samples[1], samples[2]) / largest : Vec3f(samples[3]) / largest;
-    samples += part == DecodedPart::colour ? 3 : 4;
+  StoredPicture picture{Image<Vec3f>(width, height), {}, {}};
+  if (has_alpha) picture.alpha = Image<float>(width, height);
+  for (std::size_t i = 0; i < picture.colour.pixels().size(); ++i, samples += 4) {
+    picture.colour.pixels()[i] = Vec3f(samples[0], samples[1], samples[2]) / largest;
+    if (has_alpha) picture.alpha.pixels()[i] = static_cast<float>(samples[3]) / largest;
   }
-  return image;
+  return picture;
 }
 
-Image<Vec3f> decode_part(std::string_view bytes, const std::string& file, std::int64_t most_pixels, DecodedPart part) {
+}  // namespace
+
+StoredPicture stb_decode(std::string_view bytes, const std::string& file, std::int64_t most_pixels) {
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
     throw InputError(fmt::format("{}: has {} bytes, expected under 2 GiB", file, bytes.size()));
@@ -88,27 +87,18 @@ Image<Vec3f> decode_part(std::string_view bytes, const std::string& file, std::i
   largest_block =
       tables + 2 * bytes.size() +
       bytes_per_pixel * (static_cast<std::size_t>(width) + padding) * (static_cast<std::size_t>(height) + padding);
-  const int wanted = part == DecodedPart::colour ? 3 : 4;
+  constexpr int wanted = 4;
+  const auto has_alpha = [&] { return channels == 2 || channels == 4; };
   if (stbi_is_16_bit_from_memory(data, size)) {
     const std::unique_ptr<stbi_us, void (*)(void*)> samples(
         stbi_load_16_from_memory(data, size, &width, &height, &channels, wanted), stbi_image_free);
     if (!samples) fail(file);
-    return unit_image(samples.get(), width, height, part);
+    return unit_picture(samples.get(), width, height, has_alpha());
   }
   const std::unique_ptr<stbi_uc, void (*)(void*)> samples(
       stbi_load_from_memory(data, size, &width, &height, &channels, wanted), stbi_image_free);
   if (!samples) fail(file);
-  return unit_image(samples.get(), width, height, part);
-}
-
-}  // namespace
-
-Image<Vec3f> stb_decode(std::string_view bytes, const std::string& file, std::int64_t most_pixels) {
-  return decode_part(bytes, file, most_pixels, DecodedPart::colour);
-}
-
-Image<Vec3f> stb_decode_alpha(std::string_view bytes, const std::string& file, std::int64_t most_pixels) {
-  return decode_part(bytes, file, most_pixels, DecodedPart::alpha);
+  return unit_picture(samples.get(), width, height, has_alpha());
 }
 
 std::string stb_encode_png(const Image<Rgb8>& levels) {

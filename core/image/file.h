@@ -6,6 +6,7 @@
 
 #include "image/image.h"
 #include "image/read_limit.h"
+#include "image/stored_picture.h"
 #include "math/vec.h"
 
 namespace ps {
@@ -14,17 +15,20 @@ struct LoadOptions {
   std::int64_t most_pixels = max_read_pixels;  ///< larger pictures are refused before they are decoded
 };
 
-/// Reads a picture; the extension names the format: png jpg jpeg tga ppm pgm pnm pfm. Integer samples become
-/// value / largest value as stored (nothing is linearised), PFM floats stay as they are, grey is copied to all three
-/// channels, alpha is dropped. Throws InputError, naming the file and what is wrong with it, for a missing, truncated
-/// or corrupt file, an unknown extension and a size outside 1..most_pixels.
+/// Reads a picture of PNG, JPEG, TGA, PPM, PGM or PFM. The content decides which; a name of another format is noted.
+/// Integer samples become value / largest value as stored (nothing is linearised), PFM floats stay as they are, grey is
+/// copied to all three channels. Noted, and not applied: an EXIF orientation, the scale of a PFM file. A PNG or a JPEG
+/// of one scan for each channel whose end is missing is read, with a note, if all of its pixels are there. Throws
+/// InputError, naming the file and what is wrong with it, for a missing, truncated or corrupt file, an unknown format
+/// and a size outside 1..most_pixels.
+StoredPicture load_picture(const std::filesystem::path& path, const LoadOptions& options = {});
+
+/// The same for the bytes of a file at hand; the name is in messages.
+StoredPicture decode_picture(std::string_view bytes, const std::filesystem::path& name,
+                             const LoadOptions& options = {});
+
+/// The colours alone.
 Image<Vec3f> load_image(const std::filesystem::path& path, const LoadOptions& options = {});
-
-/// The same for the bytes of a file at hand; the name gives the format and is in messages.
-Image<Vec3f> decode_image(std::string_view bytes, const std::filesystem::path& name, const LoadOptions& options = {});
-
-/// The opacity of each pixel of a picture that load_image can read, in all three channels: 1 where the file has none.
-Image<Vec3f> load_alpha(const std::filesystem::path& path, const LoadOptions& options = {});
 
 /// The same for a file of which only the 8-bit levels are wanted; out-of-range floats are clamped.
 Image<Rgb8> load_levels(const std::filesystem::path& path);

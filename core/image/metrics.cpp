@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "image/display.h"
 #include "image/flip.h"
 #include "image/mixing.h"
 #include "image/ssim.h"
@@ -81,7 +82,7 @@ Comparison compare_channels(const Image<Colour>& a, const Image<Colour>& b) {
       ++result.not_finite;
   }
   sums.report(range, result);
-  result.identical = result.differing == 0;
+  result.identical = result.identical_levels = result.differing == 0;
   return result;
 }
 template Comparison compare_channels(const Image<Rgb8>& a, const Image<Rgb8>& b);
@@ -102,9 +103,24 @@ Comparison compare_images(const Image<Rgb8>& a, const Image<Rgb8>& b) {
   return result;
 }
 
+AlphaDifference compare_alpha(const StoredPicture& a, const StoredPicture& b) {
+  AlphaDifference result;
+  if (a.alpha.empty() && b.alpha.empty()) return result;
+  const auto alpha = [](const StoredPicture& picture, std::size_t i) {
+    return picture.alpha.empty() ? 1.0 : static_cast<double>(picture.alpha.pixels()[i]);
+  };
+  for (std::size_t i = 0; i < a.colour.pixels().size(); ++i) {
+    const double difference = std::abs(alpha(a, i) - alpha(b, i));
+    result.differing += difference > 0 ? 1 : 0;
+    result.max = std::max(result.max, difference);
+  }
+  return result;
+}
+
 Comparison compare_linear(const Image<Vec3f>& a, const Image<Vec3f>& b) {
   Comparison result = compare_channels(a, b);
   if (result.identical) return result;
+  result.identical_levels = display_image(a) == display_image(b);
   Image<Vec3d> shown_a(a.width(), a.height());
   Image<Vec3d> shown_b(a.width(), a.height());
   for (std::size_t i = 0; i < shown_a.pixels().size(); ++i) {

@@ -2,15 +2,15 @@
 #include <cstdint>
 #include <optional>
 
-#include "image/image.h"
-#include "math/vec.h"
+#include "image/stored_picture.h"
 
 namespace ps {
 
 /// How far two pictures are apart. mae, rmse and max run over all channels of all pixels, in display levels 0..255 or
 /// in unit floats. A mean hides local faults: read `max` and `differing` too.
 struct Comparison {
-  bool identical = true;
+  bool identical = true;         ///< all samples are equal, as far as the caller has them
+  bool identical_levels = true;  ///< all display levels are equal
   double mae = 0;
   double rmse = 0;
   std::optional<double> psnr;   ///< dB, against the largest level (255, or 1); absent when rmse is 0
@@ -31,6 +31,14 @@ Comparison compare_channels(const Image<Colour>& a, const Image<Colour>& b);
 extern template Comparison compare_channels(const Image<Rgb8>& a, const Image<Rgb8>& b);
 extern template Comparison compare_channels(const Image<Vec3f>& a, const Image<Vec3f>& b);
 extern template Comparison compare_channels(const Image<Vec3d>& a, const Image<Vec3d>& b);
+
+/// How far the opacities of two pictures are apart.
+struct AlphaDifference {
+  std::int64_t differing = 0;  ///< pixels
+  double max = 0;              ///< largest difference, 0..1
+};
+/// An empty image is opaque. Both pictures have the same size.
+AlphaDifference compare_alpha(const StoredPicture& a, const StoredPicture& b);
 
 /// Compares floats as they are; SSIM and FLIP see them clamped to [0, 1], FLIP as linear light.
 Comparison compare_linear(const Image<Vec3f>& a, const Image<Vec3f>& b);

@@ -5,11 +5,14 @@
 
 #include <fmt/format.h>
 
+#include "image/exif.h"
+
 namespace ps {
 namespace {
 
 constexpr std::string_view signature("\x89PNG\r\n\x1a\n", 8);
 constexpr std::size_t frame_bytes = 12;  ///< length, type and CRC around a chunk's data
+constexpr std::string_view last_chunk("\0\0\0\0IEND\xae\x42\x60\x82", frame_bytes);
 
 std::uint32_t big_endian(std::string_view bytes) {
   std::uint32_t value = 0;
@@ -61,6 +64,14 @@ class ChunkReader {
     at_ += frame_bytes + length;
     chunk.end = at_;
     return chunk;
+  }
+
+  /// Whether nothing is left but a part of the last chunk, or of one that is not needed for the picture.
+  bool is_cut_behind_picture() const {
+    const std::string_view rest = bytes_.substr(at_);
+    if (rest.size() < frame_bytes && last_chunk.starts_with(rest)) return true;
+    const bool needless = rest.size() >= 8 && rest[4] >= 'a' && rest[4] <= 'z';
+    return needless && (rest.size() < frame_bytes || big_endian(rest) > rest.size() - frame_bytes);
   }
 
  private:
@@ -180,7 +191,12 @@ PngInfo check_png(std::string_view bytes, const std::string& file) {
   constexpr int palette_type = 3;
   constexpr std::size_t largest_palette = 768;
   bool data_seen = false;
-  for (Chunk chunk = reader.next(); chunk.type != "IEND"; chunk = reader.next()) {
+  for (;;) {
+    info.ended = !data_seen || !reader.is_cut_behind_picture();
+    if (!info.ended) break;
+    const Chunk chunk = reader.next();
+    info.end = chunk.end;
+    if (chunk.type == "IEND") break;
     if (chunk.type == "IHDR") reader.fail("found a second IHDR chunk, expected one");
     if (chunk.type == "PLTE") {
       const std::size_t size = chunk.data.size();
@@ -195,6 +211,7 @@ PngInfo check_png(std::string_view bytes, const std::string& file) {
         reader.fail("found palette indices without a palette");
       data_seen = true;
     }
+    if (chunk.type == "eXIf") info.orientation = exif_orientation(chunk.data);
     note_text(chunk, info);
   }
   if (!data_seen) reader.fail("found no IDAT chunk, expected picture data");
@@ -220,6 +237,12 @@ std::string png_with_padded_palette(std::string_view png, std::uint8_t level) {
   constexpr std::size_t full = 768;
   entries.resize(full, static_cast<char>(level));
   return std::string(png.substr(0, chunk.begin)) + chunk_bytes("PLTE", entries) + std::string(png.substr(chunk.end));
+}
+
+std::string png_with_end(std::string_view png, std::uint8_t filler) {
+  constexpr std::size_t further = 64;
+  return std::string(png) + chunk_bytes("IDAT", std::string(further, static_cast<char>(filler))) +
+         std::string(last_chunk);
 }
 
 }  // namespace ps

@@ -1,6 +1,7 @@
 #include "image/pnm.h"
 
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -109,7 +110,7 @@ Image<Vec3f> read_pnm(std::string_view bytes, const std::string& file, std::int6
   return ascii ? read_ascii(text, size, channels, largest) : read_binary(text, size, channels, largest);
 }
 
-Image<Vec3f> read_pfm(std::string_view bytes, const std::string& file, std::int64_t most_pixels) {
+StoredPicture read_pfm(std::string_view bytes, const std::string& file, std::int64_t most_pixels) {
   PnmText text(bytes, file);
   const std::string_view magic = text.word("PF or Pf");
   if (magic != "PF" && magic != "Pf") text.fail("another kind of file", "a PFM file that begins with PF or Pf");
@@ -120,20 +121,22 @@ Image<Vec3f> read_pfm(std::string_view bytes, const std::string& file, std::int6
   const std::string_view data = text.rest();
   require_bytes(text, data.size(), size.pixels() * channels * sizeof(float));
 
-  Image<Vec3f> image(size.width, size.height);
+  StoredPicture picture{Image<Vec3f>(size.width, size.height), {}, {}};
+  if (std::abs(scale) != 1)
+    picture.notes.push_back(fmt::format("has the PFM scale {}, which is not applied", std::abs(scale)));
   std::size_t at = 0;
   const auto next = [&] {
     at += sizeof(float);
     return float_at(data, at - sizeof(float), scale < 0);
   };
   for (int y = size.height - 1; y >= 0; --y) {  // rows are stored from the bottom up
-    for (Vec3f& pixel : image.row(y)) {
+    for (Vec3f& pixel : picture.colour.row(y)) {
       pixel.r = next();
       pixel.g = channels == 1 ? pixel.r : next();
       pixel.b = channels == 1 ? pixel.r : next();
     }
   }
-  return image;
+  return picture;
 }
 
 std::string ppm_bytes(const Image<Rgb8>& levels, const SaveOptions& options) {

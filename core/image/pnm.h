@@ -12,8 +12,9 @@ namespace ps {
 Image<Vec3f> read_pnm(std::string_view bytes, const std::string& file, std::int64_t most_pixels = max_read_pixels);
 
 /// Reads the bytes of a Portable Float Map, colour (PF) or grey (Pf), of either byte order. The floats stay as they
-/// are, NaN and infinity too; the scale in the header only gives the byte order. Throws InputError as read_pnm does.
-Image<Vec3f> read_pfm(std::string_view bytes, const std::string& file, std::int64_t most_pixels = max_read_pixels);
+/// are, NaN and infinity too. The sign of the scale in the header gives the byte order; its size is not applied, and
+/// one other than 1 is noted. Throws InputError as read_pnm does.
+StoredPicture read_pfm(std::string_view bytes, const std::string& file, std::int64_t most_pixels = max_read_pixels);
 
 /// The bytes of a PPM file (P6, or P3 for ascii) with the texts as comments.
 std::string ppm_bytes(const Image<Rgb8>& levels, const SaveOptions& options);

@@ -7,7 +7,6 @@
 #include "image/height_map.h"
 #include "scene/obj_line.h"
 #include "scene/picture_fault.h"
-#include "scene/texture_file.h"
 #include "scene/texture_generator.h"
 
 namespace ps {
@@ -63,6 +62,13 @@ void ObjTextures::warn_unreadable(const fs::path& mtl, const MtlTexture& map, co
                    picture_fault(path, error)));
 }
 
+Image<Vec3f> ObjTextures::texels_of(const fs::path& mtl, const MtlTexture& map, const fs::path& path,
+                                    const TextureFileOptions& options) {
+  LoadedTexels loaded = load_texels(path, options);
+  for (const std::string& note : loaded.notes) warn(mtl, map.line, fmt::format("the texture '{}' {}", map.name, note));
+  return std::move(loaded.texels);
+}
+
 void ObjTextures::add(Texture texture, Image<Vec3f> texels) {
   texels_left_ -= static_cast<std::int64_t>(texels.pixels().size());
   texture.texels = std::make_shared<const Image<Vec3f>>(std::move(texels));
@@ -103,8 +109,7 @@ int ObjTextures::read(const MtlTexture& map, const fs::path& mtl, MtlMapKind kin
   model_.files.push_back(path->string());  // also one that cannot be read: it may be repaired while the model is open
   try {
     Texture texture = as_asked(map, *path, kind);
-    Image<Vec3f> texels = load_texels(*path, {texture.channel, texture.base, texture.gain, texels_left_});
-    add(std::move(texture), std::move(texels));
+    add(std::move(texture), texels_of(mtl, map, *path, {texture.channel, texture.base, texture.gain, texels_left_}));
   } catch (const InputError& error) {
     warn_unreadable(mtl, map, *path, error);
     return -1;
@@ -151,7 +156,7 @@ void ObjTextures::add_reflections(const std::vector<MtlTexture>& maps, const fs:
     const std::size_t face = face_index(map.part);
     model_.files.push_back(path->string());
     try {
-      faces[face] = load_texels(*path, {.base = map.base, .gain = map.gain, .most_pixels = texels_left_});
+      faces[face] = texels_of(mtl, map, *path, {.base = map.base, .gain = map.gain, .most_pixels = texels_left_});
       cross.faces[face] = path->string();
       cross.base = map.base;
       cross.gain = map.gain;

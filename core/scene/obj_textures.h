@@ -8,6 +8,7 @@
 #include "scene/model_files.h"
 #include "scene/mtl_texture.h"
 #include "scene/obj.h"
+#include "scene/texture_file.h"
 
 namespace ps {
 
@@ -34,6 +35,9 @@ class ObjTextures {
 
  private:
   void add(Texture texture, Image<Vec3f> texels);
+  /// With a warning for each note about the file.
+  Image<Vec3f> texels_of(const std::filesystem::path& mtl, const MtlTexture& map, const std::filesystem::path& path,
+                         const TextureFileOptions& options);
   std::optional<std::filesystem::path> find(const MtlTexture& map, const std::filesystem::path& mtl);
   Texture as_asked(const MtlTexture& map, const std::filesystem::path& path, MtlMapKind kind) const;
   void warn(const std::filesystem::path& mtl, int line, const std::string& text);

@@ -56,13 +56,20 @@ void set_material(Object& object, std::uint32_t material) {
   if (auto* instance = std::get_if<Instance>(&object.shape)) instance->material = material;
 }
 
+/// What is kept of a picture file.
+struct FileTexels {
+  std::shared_ptr<const Image<Vec3f>> texels;
+  std::vector<std::string> notes;  // as StoredPicture has them
+};
+
 /// A picture file as texels. Edits are applied again with each step of a drag, so the newest ones are kept as long as
 /// their files do not change.
-std::shared_ptr<const Image<Vec3f>> texels_of_file(const std::string& path) {
+FileTexels texels_of_file(const std::string& path) {
   struct Kept {
     std::filesystem::file_time_type changed;
     std::uintmax_t bytes = 0;
     std::weak_ptr<const Image<Vec3f>> texels;  // as long as some scene has them
+    std::vector<std::string> notes;
   };
   static std::mutex mutex;
   static std::map<std::string, Kept> kept;
@@ -72,12 +79,14 @@ std::shared_ptr<const Image<Vec3f>> texels_of_file(const std::string& path) {
   const auto bytes = std::filesystem::file_size(path, error);
   if (const auto known = kept.find(path); known != kept.end()) {
     auto texels = known->second.texels.lock();
-    if (texels && known->second.changed == changed && known->second.bytes == bytes) return texels;
+    if (texels && known->second.changed == changed && known->second.bytes == bytes)
+      return {texels, known->second.notes};
   }
-  auto texels = std::make_shared<const Image<Vec3f>>(load_image(path));
+  StoredPicture picture = load_picture(path);
+  auto texels = std::make_shared<const Image<Vec3f>>(std::move(picture.colour));
   std::erase_if(kept, [](const auto& entry) { return entry.second.texels.expired(); });
-  kept[path] = {changed, bytes, texels};
-  return texels;
+  kept[path] = {changed, bytes, texels, picture.notes};
+  return {texels, std::move(picture.notes)};
 }
 
 }  // namespace
@@ -134,11 +143,13 @@ int find_or_add_texture(Scene& scene, const std::string& text) {
   Texture texture;
   texture.path = std::filesystem::path(text).lexically_normal().string();
   texture.name = std::filesystem::path(text).stem().string();
-  texture.texels = texels_of_file(texture.path);
+  const FileTexels file = texels_of_file(texture.path);
+  texture.texels = file.texels;
   if (texels + texture.texels->pixels().size() > max_scene_texels)
     throw InputError(fmt::format("{}: found {} texels with those of the scene, expected at most {}", text,
                                  texels + texture.texels->pixels().size(), max_scene_texels));
   scene.textures.edit([&](std::vector<Texture>& textures) { textures.push_back(texture); });
+  for (const std::string& note : file.notes) scene.warnings.push_back(fmt::format("{}: {}.", texture.path, note));
   return static_cast<int>(scene.textures->size() - 1);
 }
 

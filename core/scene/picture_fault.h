@@ -6,7 +6,7 @@
 
 namespace ps {
 
-/// Why load_image(path) refused the picture: the message of its error without the path that it begins with.
+/// Why load_picture(path) refused the picture: the message of its error without the path that it begins with.
 std::string picture_fault(const std::filesystem::path& path, const InputError& error);
 
 }  // namespace ps

@@ -109,10 +109,15 @@ class TextureReader {
     name = path.string();
     draft_.scene.files.push_back(name);
     try {
-      return load_texels(path, {.channel = texture_.channel,
-                                .base = texture_.base,
-                                .gain = texture_.gain,
-                                .most_pixels = static_cast<std::int64_t>(max_scene_texels - draft_.texels)});
+      LoadedTexels loaded =
+          load_texels(path, {.channel = texture_.channel,
+                             .base = texture_.base,
+                             .gain = texture_.gain,
+                             .most_pixels = static_cast<std::int64_t>(max_scene_texels - draft_.texels)});
+      for (const std::string& note : loaded.notes)
+        draft_.scene.warnings.push_back(
+            fmt::format("{}:{}: the picture '{}' {}.", values_.file(), term.line, name, note));
+      return std::move(loaded.texels);
     } catch (const InputError& error) {
       values_.fail_at(term.line, term.column, fmt::format("the picture '{}' ({})", name, picture_fault(path, error)),
                       "one that can be read");

@@ -40,21 +40,27 @@ float one_channel(const Vec3f& colour, TextureChannel channel) {
 
 }  // namespace
 
-Image<Vec3f> load_texels(const std::filesystem::path& path, const TextureFileOptions& options) {
-  const LoadOptions load{.most_pixels = options.most_pixels};
-  Image<Vec3f> texels = options.channel == TextureChannel::alpha ? load_alpha(path, load) : load_image(path, load);
-  if (options.channel != TextureChannel::colour)
-    for (Vec3f& texel : texels.pixels()) texel = Vec3f(one_channel(texel, options.channel));
-  if (options.base == 0 && options.gain == 1) return texels;
+LoadedTexels load_texels(const std::filesystem::path& path, const TextureFileOptions& options) {
+  StoredPicture picture = load_picture(path, {.most_pixels = options.most_pixels});
+  LoadedTexels loaded{std::move(picture.colour), std::move(picture.notes)};
+  Image<Vec3f>& texels = loaded.texels;
+  for (std::size_t i = 0; i < texels.pixels().size() && options.channel != TextureChannel::colour; ++i) {
+    Vec3f& texel = texels.pixels()[i];
+    const bool alpha = options.channel == TextureChannel::alpha;
+    texel = !alpha                  ? Vec3f(one_channel(texel, options.channel))
+            : picture.alpha.empty() ? Vec3f(1)
+                                    : Vec3f(picture.alpha.pixels()[i]);
+  }
+  if (options.base == 0 && options.gain == 1) return loaded;
   for (Vec3f& texel : texels.pixels())
     for (int i = 0; i < 3; ++i)
       texel[i] = static_cast<float>(std::clamp(options.base + options.gain * static_cast<double>(texel[i]), 0.0, 1.0));
-  return texels;
+  return loaded;
 }
 
 bool has_alpha(const std::filesystem::path& path, std::int64_t most_pixels) {
-  const Image<Vec3f> alpha = load_alpha(path, {.most_pixels = most_pixels});
-  return std::any_of(alpha.pixels().begin(), alpha.pixels().end(), [](const Vec3f& a) { return a.x != 1; });
+  const Image<float> alpha = load_picture(path, {.most_pixels = most_pixels}).alpha;
+  return std::any_of(alpha.pixels().begin(), alpha.pixels().end(), [](float a) { return a != 1; });
 }
 
 std::int64_t cube_cross_texels(const std::array<Image<Vec3f>, 6>& faces) {

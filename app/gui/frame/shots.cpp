@@ -31,7 +31,7 @@ void save_both(Session& session, const PicturesState& pictures) {
       auto& file = files[index_of(side)];
       file = free_shot(folder, name, side == Side::a ? "-a" : "-b");
       save_image(file, pictures.pictures[index_of(side)].levels,
-                 SaveOptions{image_texts(document_provenance(session.document(), side))});
+                 SaveOptions{image_texts(document_provenance(session.document(), side, {}, file))});
     }
     session.say(Message::Kind::information,
                 fmt::format("Saved {} and {}.", files[0].string(), files[1].filename().string()));
@@ -43,7 +43,7 @@ void save_both(Session& session, const PicturesState& pictures) {
 void save_window(Session& session, const Image<Rgb8>& shot) {
   try {
     const std::filesystem::path file = free_shot(shot_folder(), name_now(session), "-window");
-    save_image(file, shot, SaveOptions{image_texts(document_provenance(session.document(), Side::a))});
+    save_image(file, shot, SaveOptions{image_texts(document_provenance(session.document(), Side::a, {}, file))});
     session.say(Message::Kind::information, fmt::format("Saved {}.", file.string()));
   } catch (const InputError& error) {
     session.say(Message::Kind::error, error.what());

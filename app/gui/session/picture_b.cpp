@@ -1,30 +1,45 @@
 // A picture from a file in the place of B.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cctype>
 #include <filesystem>
+#include <fstream>
 #include <utility>
 
 #include "base/check.h"
+#include "base/extension.h"
 #include "gui/session/session.h"
+#include "image/display.h"
 #include "image/file.h"
+#include "image/picture_format.h"
 
 namespace ps::gui {
 
+namespace {
+
+/// Whether the first bytes of a file are those of a picture, whatever its name is.
+bool begins_like_a_picture(const std::string& path) {
+  std::string head(16, ' ');
+  std::ifstream file(path, std::ios::binary);
+  return file.read(head.data(), static_cast<std::streamsize>(head.size())) && format_by_content(head);
+}
+
+PictureFile read_picture_file(const std::string& path) {
+  StoredPicture stored = load_picture(path);
+  Image<Rgb8> levels = display_image(stored.colour);
+  return {path, std::move(stored), std::move(levels)};
+}
+
+}  // namespace
+
 bool is_picture_file(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  constexpr std::array pictures{".png", ".ppm", ".pgm", ".pbm", ".pnm", ".pfm", ".jpg", ".jpeg", ".tga", ".bmp"};
-  return std::find(pictures.begin(), pictures.end(), extension) != pictures.end();
+  const std::string extension = lower_extension(path);
+  return format_by_name(path) || extension == ".pbm" || extension == ".bmp" || begins_like_a_picture(path);
 }
 
 void Session::open_picture_b(const std::filesystem::path& path) {
   if (!has_scene()) return;
   try {
-    picture_b_ = std::make_shared<const PictureFile>(PictureFile{path.string(), load_levels(path)});
+    picture_b_ = std::make_shared<const PictureFile>(read_picture_file(path.string()));
   } catch (const InputError& error) {
     return say(Message::Kind::error, error.what());
   }
@@ -41,6 +56,8 @@ void Session::open_picture_b(const std::filesystem::path& path) {
   changed();
   say(Message::Kind::information, fmt::format("B is {} now, {} x {} pixels; A is rendered in that size.",
                                               path.filename().string(), size.x, size.y));
+  for (const std::string& note : picture_b_->stored.notes)
+    say(Message::Kind::warning, fmt::format("{}: {}.", path.filename().string(), note));
 }
 
 void Session::close_picture_b() {
@@ -53,7 +70,7 @@ void Session::follow_picture_b() {
   const bool rendered = !picture_b_;
   picture_b_.reset();
   try {
-    if (!path.empty()) picture_b_ = std::make_shared<const PictureFile>(PictureFile{path, load_levels(path)});
+    if (!path.empty()) picture_b_ = std::make_shared<const PictureFile>(read_picture_file(path));
   } catch (const InputError& error) {
     return give_up_picture_b(error.what());
   }

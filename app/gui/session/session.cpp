@@ -347,7 +347,7 @@ void Session::take_up(Document document, Reason reason, const std::string& drag)
     settle(before);
   else
     awaited_ = {true, true};
-  if (const auto& warnings = document_.base.warnings; !warnings.empty()) {
+  if (const auto& warnings = document_.scene.warnings; !warnings.empty()) {
     const std::size_t others = warnings.size() - 1;
     say(Message::Kind::warning,
         others == 0 ? warnings.front()

@@ -16,6 +16,7 @@
 #include "gui/work/inspect_worker.h"
 #include "gui/work/newest_job.h"
 #include "gui/work/render_worker.h"
+#include "image/stored_picture.h"
 
 namespace ps::gui {
 
@@ -29,6 +30,7 @@ struct Message {
 /// A picture from a file that is in B's place.
 struct PictureFile {
   std::string path;
+  StoredPicture stored;
   Image<Rgb8> levels;
 };
 

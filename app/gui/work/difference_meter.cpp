@@ -43,7 +43,7 @@ std::string difference_text(ErrorMetric metric, double error) {
   case ErrorMetric::max:
     return fmt::format("{:.0f} levels of 255", error);
   case ErrorMetric::psnr:
-    return std::isinf(error) ? "infinite: equal" : fmt::format("{:.4g} dB", error);
+    return std::isinf(error) ? "infinite: no level differs" : fmt::format("{:.4g} dB", error);
   case ErrorMetric::ssim:
     return fmt::format("{:.4f} (1 = equal)", error);
   case ErrorMetric::flip:

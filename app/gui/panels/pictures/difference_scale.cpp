@@ -35,7 +35,7 @@ std::string title_of(DifferenceMode mode) {
 
 /// The lines below the scale.
 std::vector<std::string> number_lines(const DifferenceNumbers& numbers, DifferenceMode mode) {
-  if (numbers.at.x < 0) return {"no pixel differs"};
+  if (numbers.at.x < 0) return {"no display level differs"};
   const auto text = [&](double value) { return difference_value_text(value, mode); };
   return {fmt::format("mean {}", text(numbers.mean)), fmt::format("99.9 % at most {}", text(numbers.percentile)),
           fmt::format("largest {} at ({}, {})", text(numbers.largest), numbers.at.x, numbers.at.y),

@@ -102,8 +102,39 @@ void difference_tools(Session& session, PicturesState& state, const Area& row) {
   ImGui::SameLine(0, px(6));
   if (button("largest", "Largest", Emphasis::plain,
              {.tooltip = "Picks the pixel with the largest difference, which has a ring.",
-              .disabled = at.x < 0 ? "no pixel differs" : ""}))
+              .disabled = at.x < 0 ? "no display level differs" : ""}))
     session.set_pixel(at);
+}
+
+/// The values behind the picture of a side; nullptr where it does not show them, or not all of them.
+std::shared_ptr<const Image<Vec3f>> values_of(const Session& session, Side side) {
+  if (const auto file = session.picture_b(); side == Side::b && file) return {file, &file->stored.colour};
+  const auto result = session.renderer(side).result();
+  if (!result || result->slow || session.shown(side) != ShownChannel::colour) return nullptr;
+  return {result, &result->frame.colour};
+}
+
+/// Equal display levels may hide values that differ: colours beyond white, negative ones, steps below a level, NaN.
+std::string identical_text(const Session& session, PicturesState& state) {
+  const auto file = session.picture_b();
+  if (!file && session.settings(Side::a) == session.settings(Side::b))
+    return "A and B have the same options: there is no difference.";
+  const std::string although = file ? "" : ", although their options differ";
+  const auto a = values_of(session, Side::a), b = values_of(session, Side::b);
+  if (!a || !b || a->width() != b->width() || a->height() != b->height())
+    return fmt::format("A and B are identical in display levels{}.", although);
+  if (state.compared_values[0].lock() != a || state.compared_values[1].lock() != b) {
+    state.compared_values = {a, b};
+    state.value_difference = compare_channels(*a, *b);
+  }
+  const Comparison& values = state.value_difference;
+  const std::string alpha = file && !file->stored.alpha.empty() ? " The alpha of the file is not compared." : "";
+  if (values.identical) return fmt::format("A and B are identical{}.{}", although, alpha);
+  const std::string by = values.max > 0 ? fmt::format(" by at most {:.3g}", values.max) : "";
+  const std::string not_finite =
+      values.not_finite > 0 ? fmt::format(" {} pixels are not finite.", values.not_finite) : "";
+  return fmt::format("A and B are identical in display levels{}. Their values differ{} in {} pixels.{}{}", although, by,
+                     values.differing, not_finite, alpha);
 }
 
 /// A ring around the pixel with the largest difference.
@@ -191,9 +222,7 @@ void difference_view(Session& session, PicturesState& state, const Area& title, 
   if (state.difference_stale && state.difference_mode == DifferenceMode::flip && state.meter->busy())
     return draw_notice(list, area, "measuring FLIP ...");
   if (!state.identical || session.busy()) return;
-  const bool same = session.settings(Side::a) == session.settings(Side::b);
-  const std::string text = same ? "A and B have the same options: there is no difference."
-                                : "A and B are identical to the last level, although their options differ.";
+  const std::string text = identical_text(session, state);
   controls().record("notice", area.min, area.max, text);
   draw_notice(list, area, text);
 }

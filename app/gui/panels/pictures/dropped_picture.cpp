@@ -23,6 +23,7 @@ std::vector<int> textured_objects(const Scene& scene) {
 void put_on(Session& session, const DroppedPicture& state) {
   const std::string name = object_name(session.scene(), state.object);
   const std::string path = fmt::format("object.{}", state.object);
+  const std::size_t warnings = session.scene().warnings.size();
   bool done = false;
   session.edit(fmt::format("texture of {}: {}", name, state.file.filename().string()), [&](Document& document) {
     edit_scene(document, {path + ".texture", scene_name(std::filesystem::absolute(state.file).string())});
@@ -33,6 +34,8 @@ void put_on(Session& session, const DroppedPicture& state) {
     session.say(Message::Kind::information,
                 fmt::format("{} is the texture of {} now. Undo removes it; save the scene to keep it.",
                             state.file.filename().string(), name));
+  for (std::size_t i = warnings; i < session.scene().warnings.size(); ++i)
+    session.say(Message::Kind::warning, session.scene().warnings[i]);
 }
 
 void object_choice(const Scene& scene, DroppedPicture& state) {

@@ -61,7 +61,9 @@ struct PicturesState {
   bool difference_stale = true;
   bool difference_fresh = false;      ///< made since its hash was taken
   std::uint64_t difference_hash = 0;  ///< of its levels, for tests
-  bool identical = false;             ///< A and B, when the difference was last made
+  bool identical = false;             ///< the levels of A and B, when the difference was last made
+  std::array<std::weak_ptr<const Image<Vec3f>>, 2> compared_values;  ///< behind pictures of equal levels
+  Comparison value_difference;                                       ///< of these
   DifferenceMode difference_mode = DifferenceMode::absolute;
   Image<float> difference_values;  ///< what the difference shows of each pixel
   DifferenceNumbers difference_numbers;

@@ -72,11 +72,11 @@ bool worst_list(Session& session, PixelsPanelState& state, const PicturesState& 
   same_line_if_room(button_width("Fill"));
   const bool fill = button_on_off("fill", "Fill", filled, {.tooltip = "Shows these lists in the whole window (Esc)."});
   if (state.worst.empty()) {
-    ImGui::TextWrapped("%s",
-                       !still(session) || (state.ranked != PixelsPanelState::Ranked::difference && state.cost.busy())
-                           ? "Working ..."
-                       : state.ranked == PixelsPanelState::Ranked::difference ? "A and B do not differ anywhere."
-                                                                              : "No pixel needed a test.");
+    ImGui::TextWrapped(
+        "%s", !still(session) || (state.ranked != PixelsPanelState::Ranked::difference && state.cost.busy())
+                  ? "Working ..."
+              : state.ranked == PixelsPanelState::Ranked::difference ? "A and B are identical in display levels."
+                                                                     : "No pixel needed a test.");
     return fill;
   }
   const std::string_view unit = state.ranked == PixelsPanelState::Ranked::difference ? "levels" : "tests";

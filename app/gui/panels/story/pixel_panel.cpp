@@ -168,7 +168,7 @@ void both(Session& session, PixelPanelState& state, const std::array<std::shared
     const bool same = apart == std::array<int, 3>{};
     ImGui::PushTextWrapPos(0);
     value_text("both/difference",
-               same ? "Both pictures have the same colour here."
+               same ? "Both pictures have the same display levels here."
                     : fmt::format("B − A: {:+} red, {:+} green, {:+} blue (of 255)", apart[0], apart[1], apart[2]));
     ImGui::PopTextWrapPos();
     ImGui::Spacing();

@@ -63,7 +63,7 @@ void numbers(const Chart& chart, const ChartPoint& point) {
     line("upload", fmt::format("{:.3g} ms ({:.3g} to {:.3g})", point.upload_ms->median, point.upload_ms->q1,
                                point.upload_ms->q3));
   const std::string title = chart_axes(chart).error_title;
-  const std::string error = std::isfinite(point.error) ? fmt::format("{:.4g}", point.error) : "equal";
+  const std::string error = std::isfinite(point.error) ? fmt::format("{:.4g}", point.error) : "infinite: no error";
   line(title.c_str(), point.standing == Standing::truth ? "none: it is the truth itself" : error);
   if (point.standing == Standing::other_picture) line("shows", "another picture on purpose");
   for (const std::string& left : point.left_out) line("renderer", left);

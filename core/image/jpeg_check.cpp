@@ -1,9 +1,10 @@
-#include "image/jpeg_tga_check.h"
+#include "image/jpeg_check.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
+#include "image/exif.h"
 #include "image/image.h"
 
 namespace ps {
@@ -12,31 +13,35 @@ namespace {
 
 enum Marker : unsigned {
   first_frame = 0xc0,
+  progressive_frame = 0xc2,
   last_frame = 0xc2,  ///< those that the decoder knows
   huffman_tables = 0xc4,
   first_restart = 0xd0,
   last_restart = 0xd7,
   start_of_image = 0xd8,
   end_of_image = 0xd9,
-  start_of_scan = 0xda
+  start_of_scan = 0xda,
+  exif_segment = 0xe1
 };
 
 class JpegSegments {
  public:
   JpegSegments(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
 
-  std::string_view checked() {
+  JpegInfo checked() {
     if (bytes_.size() < 2 || byte(0) != 0xff || byte(1) != start_of_image)
       fail("found no JPEG signature, expected a JPEG file");
     at_ = 2;
-    for (;;) {
+    while (info_.ended) {
       const unsigned marker = next_marker();
-      if (marker == end_of_image) return finished();
+      if (marker == end_of_image) break;
       const std::string_view data = segment(marker);
       if (marker == huffman_tables) check_tables(data);
-      if (marker >= first_frame && marker <= last_frame) note_size(data);
-      if (marker == start_of_scan) skip_scan();
+      if (marker >= first_frame && marker <= last_frame) note_frame(marker, data);
+      if (marker == exif_segment && data.starts_with(exif_head)) info_.orientation = exif_orientation(data.substr(6));
+      if (marker == start_of_scan) skip_scan(data);
     }
+    return finished();
   }
 
  private:
@@ -77,27 +82,31 @@ class JpegSegments {
     }
   }
 
-  void note_size(std::string_view data) {
-    constexpr std::size_t size_end = 5;
-    if (data.size() < size_end) fail("JPEG frame header is cut off");
+  void note_frame(unsigned marker, std::string_view data) {
+    constexpr std::size_t frame_head = 6;
+    if (data.size() < frame_head) fail("JPEG frame header is cut off");
     const auto word = [&](std::size_t at) {
       return std::int64_t{static_cast<unsigned char>(data[at])} << 8 | static_cast<unsigned char>(data[at + 1]);
     };
     require_image_size(word(3), word(1), file_);
     pixels_ = std::max(pixels_, static_cast<std::size_t>(word(3) * word(1)));
+    components_left_ = static_cast<unsigned char>(data[5]);
+    one_scan_each_ = marker != progressive_frame;
   }
 
   /// Each block of 8 x 8 pixels takes at least a bit, so a short file cannot hold a huge picture.
-  std::string_view finished() const {
+  JpegInfo finished() {
     constexpr std::size_t most_pixels_per_byte = 8 * 64;
     if (pixels_ / most_pixels_per_byte > at_)
       fail(fmt::format("JPEG has {} bytes, too few for its {} pixels", at_, pixels_));
-    return bytes_.substr(0, at_);
+    info_.bytes = bytes_.substr(0, at_);
+    return info_;
   }
 
   /// To the marker that ends the compressed data; 0xff 0x00 is a data byte. Fill bytes are let through only before the
   /// end of the picture, since decoders read them in different ways.
-  void skip_scan() {
+  void skip_scan(std::string_view head) {
+    components_left_ -= head.empty() ? 0 : static_cast<unsigned char>(head[0]);
     for (; at_ + 1 < bytes_.size(); ++at_) {
       if (byte(at_) != 0xff) continue;
       const unsigned next = byte(at_ + 1);
@@ -108,40 +117,22 @@ class JpegSegments {
         fail(fmt::format("found fill bytes inside JPEG data at byte {}", at_));
       return;
     }
-    fail_cut();
+    if (components_left_ > 0 || !one_scan_each_) fail_cut();  // further scans may be missing
+    if (at_ < bytes_.size() && byte(at_) != 0xff) ++at_;
+    info_.ended = false;
   }
 
   std::string_view bytes_;
   const std::string& file_;
   std::size_t at_ = 0;
   std::size_t pixels_ = 0;
+  int components_left_ = 0;     ///< those of the frame without a scan so far
+  bool one_scan_each_ = false;  ///< false: a progressive picture becomes finer with each scan
+  JpegInfo info_;
 };
 
 }  // namespace
 
-std::string_view checked_jpeg(std::string_view bytes, const std::string& file) {
-  return JpegSegments(bytes, file).checked();
-}
-
-void check_tga(std::string_view bytes, const std::string& file) {
-  constexpr std::size_t header_size = 18;
-  if (bytes.size() < header_size)
-    throw InputError(fmt::format("{}: TGA is cut off: found {} bytes, expected a header of 18", file, bytes.size()));
-  const auto byte = [&](std::size_t at) { return static_cast<std::size_t>(static_cast<unsigned char>(bytes[at])); };
-  const auto word = [&](std::size_t at) { return byte(at) | byte(at + 1) << 8; };
-  require_image_size(static_cast<std::int64_t>(word(12)), static_cast<std::int64_t>(word(14)), file);
-  constexpr std::size_t rle = 8;
-  const bool compressed = (byte(2) & rle) != 0;
-  const std::size_t palette = byte(1) == 0 ? 0 : word(5) * ((byte(7) + 7) / 8);
-  constexpr std::size_t longest_run = 128;
-  const std::size_t count = word(12) * word(14);
-  const std::size_t pixel_bytes = (byte(16) + 7) / 8;
-  const std::size_t pixels =
-      compressed ? (count + longest_run - 1) / longest_run * (1 + pixel_bytes) : count * pixel_bytes;
-  const std::size_t expected = header_size + byte(0) + palette + pixels;
-  if (bytes.size() < expected)
-    throw InputError(
-        fmt::format("{}: TGA is cut off: found {} bytes, expected at least {}", file, bytes.size(), expected));
-}
+JpegInfo check_jpeg(std::string_view bytes, const std::string& file) { return JpegSegments(bytes, file).checked(); }
 
 }  // namespace ps
