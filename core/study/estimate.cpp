@@ -9,6 +9,7 @@
 #include "options/renderer_kind.h"
 #include "study/needs_truth.h"
 #include "study/same_machinery.h"
+#include "study/view_pixels.h"
 #include "study/worst_tile.h"
 
 namespace ps {
@@ -34,8 +35,6 @@ View smaller(const View& view, int part, int least) {
   small.height = std::max(std::min(view.height, least), view.height / part);
   return small;
 }
-
-double pixels_of(const View& view) { return static_cast<double>(view.width) * view.height; }
 
 /// Times small pictures of one scene.
 class Trial {

@@ -8,6 +8,7 @@
 #include "options/renderer_kind.h"
 #include "options/robust_rays.h"
 #include "study/reference.h"
+#include "study/view_pixels.h"
 
 namespace ps {
 namespace {
@@ -54,8 +55,6 @@ bool shown_by_rays(const Settings& settings, const SceneTraits& traits) {
   const bool outlines = draws_fragments(settings.renderer) && settings.draw != Draw::filled;
   return !only_canvas && !outlines;
 }
-
-double pixels_of(const View& view) { return static_cast<double>(view.width) * view.height; }
 
 /// Rays take the samples twice, at places of two patterns.
 int all_samples(const ReferencePlan& plan) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 
 #include "engine/markdown.h"
 #include "engine/maths_specimen.h"
@@ -51,7 +52,7 @@ MathsBox display(const std::string& notation, float em = 20) {
   return boxes.front();
 }
 
-const MathsText& text_of(const MathsBox& box, const std::string& text) {
+const MathsText& text_of(const MathsBox& box, std::string_view text) {
   const auto found =
       std::find_if(box.texts.begin(), box.texts.end(), [&](const auto& each) { return each.text == text; });
   EXPECT_NE(found, box.texts.end()) << text;
