@@ -107,7 +107,7 @@ void difference_tools(Session& session, PicturesState& state, const Area& row) {
 }
 
 /// The values behind the picture of a side; nullptr where it does not show them, or not all of them.
-std::shared_ptr<const Image<Vec3f>> values_of(const Session& session, Side side) {
+std::shared_ptr<const Image<Vec3f>> values_of(Session& session, Side side) {
   if (const auto file = session.picture_b(); side == Side::b && file) return {file, &file->stored.colour};
   const auto result = session.renderer(side).result();
   if (!result || result->slow || session.shown(side) != ShownChannel::colour) return nullptr;
@@ -115,7 +115,7 @@ std::shared_ptr<const Image<Vec3f>> values_of(const Session& session, Side side)
 }
 
 /// Equal display levels may hide values that differ: colours beyond white, negative ones, steps below a level, NaN.
-std::string identical_text(const Session& session, PicturesState& state) {
+std::string identical_text(Session& session, PicturesState& state) {
   const auto file = session.picture_b();
   if (!file && session.settings(Side::a) == session.settings(Side::b))
     return "A and B have the same options: there is no difference.";
