@@ -113,7 +113,7 @@ void set_modifiers(ImGuiIO& io, bool ctrl, bool shift, bool alt) {
 
 bool key_pressed(Key key, KeyRepeat repeat) {
   const auto theirs = imgui_key(key);
-  PS_ASSERT(theirs);
+  PS_ASSERT(theirs, "every key that the window asks for has a name in Dear ImGui");
   return ImGui::IsKeyPressed(*theirs, repeat == KeyRepeat::repeats);
 }
 
