@@ -43,7 +43,7 @@ TEST(LessonAnswers, AreKeptAndReadBack) {
 TEST(LessonAnswers, ADamagedLineIsNamedAndSkipped) {
   const test::ScratchFolder folder;
   const std::string rest = "\"lesson\":\"l\",\"question\":\"q\",\"answer\":\"a\"";
-  for (const std::string bad :
+  for (const std::string& bad :
        {std::string("{\"time\":"), std::string("[]"), std::string("{}"), std::string("{\"time\":1,\"lesson\":2}"),
         std::string("\xff\xfe"), "{\"time\":\"t\",\"step\":1e300,\"points\":1," + rest + "}",
         "{\"time\":\"t\",\"step\":-1,\"points\":1," + rest + "}",

@@ -60,7 +60,9 @@ void expect_whole_or_refused(const std::string& bytes, const std::string& name, 
       read = decode_picture(bytes.substr(0, length), name);
     } catch (const InputError&) {
     }
-    if (length >= least) ASSERT_TRUE(read) << length << " of " << bytes.size() << " bytes";
+    if (length >= least) {
+      ASSERT_TRUE(read) << length << " of " << bytes.size() << " bytes";
+    }
     if (!read) continue;
     EXPECT_EQ(read->colour, whole) << length << " of " << bytes.size() << " bytes";
     EXPECT_EQ(read->notes.size(), 1U);

@@ -147,9 +147,9 @@ TEST(Tga, ReadsEveryKindFromEveryCorner) {
 
 TEST(Tga, RefusesIndicesOutsideThePalette) {
   std::string bytes = file_of({Samples::palette8});
-  for (const char index : {99, 100 + width * height}) {
-    bytes.back() = index;
-    EXPECT_THROW(read_tga(bytes, "a.tga", 1000), InputError) << int{index};
+  for (const int index : {99, 100 + width * height}) {
+    bytes.back() = static_cast<char>(index);
+    EXPECT_THROW(read_tga(bytes, "a.tga", 1000), InputError) << index;
   }
   bytes.back() = 100;
   EXPECT_NO_THROW(read_tga(bytes, "a.tga", 1000));
