@@ -51,7 +51,7 @@ TEST(CompareFiles, IdenticalIsSaidOfEqualSamplesOnly) {
   const Pair hidden[] = {
       {"beyond white", pfm_pixel(5), pfm_pixel(1), ".pfm", "values differ by at most 4 "},
       {"below black", pfm_pixel(-3), pfm_pixel(0), ".pfm", "values differ by at most 3 "},
-      {"below a level", pfm_pixel(0.5f), pfm_pixel(0.501f), ".pfm", "values differ by at most 0.001 "},
+      {"below a level", pfm_pixel(0.5f), pfm_pixel(0.501f), ".pfm", "values differ by at most 0.000999"},
       {"NaN", pfm_pixel(nan), pfm_pixel(0), ".pfm", "pixels not finite      1\n"},
       {"infinite", pfm_pixel(infinity), pfm_pixel(1), ".pfm", "pixels not finite      1\n"},
       {"a step of 65535", png_pixel(16, 0, "\x12\x34"), png_pixel(16, 0, "\x12\x35"), ".png", "at most 1.52"},

@@ -284,7 +284,10 @@ TEST(Lesson, FaultsAreNamedWithTheirLine) {
 
 /// As Windows' Notepad saves it.
 TEST(Lesson, AByteOrderMarkIsNoText) {
-  EXPECT_EQ(parse_lesson("\xEF\xBB\xBF# Marked\nsource: s\n", "own", "own.md").title, "Marked");
+  EXPECT_EQ(parse_lesson("\xEF\xBB\xBF# Marked\nsource: s\n\n## One\n\n```settings\nscene cgfs/spheres\n```\n", "own",
+                         "own.md")
+                .title,
+            "Marked");
 }
 
 TEST(Lesson, WhatIsNoUtf8IsNamedWithItsPlace) {

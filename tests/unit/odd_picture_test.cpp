@@ -147,9 +147,8 @@ TEST(OddPictures, OrientationAndScaleAreSaidAndNotApplied) {
 TEST(OddPictures, NotesReachScenesModelsAndTheCommandLine) {
   const ScratchFolder folder;
   folder.write("photo.png", whole_jpeg());
-  const std::string scene = folder.write(
-      "a.scene",
-      "texture { name = t  file = \"photo.png\" }\nsphere { radius = 1 }\nlight { type = ambient  intensity = 1 }\n");
+  const std::string scene = folder.write("a.scene", "texture { name = t  file = \"photo.png\" }\nsphere { center = (0, "
+                                                    "0, 3)  radius = 1 }\nlight { type = ambient  intensity = 1 }\n");
   const std::string model =
       folder.write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl m\nf 1/1 2/1 3/1\n");
   folder.write("a.mtl", "newmtl m\nmap_Kd photo.png\n");

@@ -63,8 +63,10 @@ TEST(PermalinkPlace, PathsThatWouldBeLostAreAbsolute) {
   folder.write("a.scene", small_scene);
   Document document;
   document.scene_name = fs::relative(folder.file("a.scene")).string();
-  EXPECT_EQ(permalink_for_file(elsewhere.path() / "p.png", document),
-            "scene=" + percent_escape(folder.file("a.scene")));
+  // A name that begins with .. may by chance lead from there to the same file.
+  const std::string link = permalink_for_file(elsewhere.path() / "p.png", document);
+  const fs::path led = fs::path(percent_unescape(link.substr(link.find('=') + 1)));
+  EXPECT_EQ((elsewhere.path() / led).lexically_normal(), folder.file("a.scene")) << link;
   document.scene_name = "cgfs/spheres";
   EXPECT_EQ(permalink_for_file(elsewhere.path() / "p.png", document), "scene=cgfs/spheres");
   document.scene_name = "tests/corpus/files/a.scene";  // the tests run in the project's folder

@@ -134,7 +134,7 @@ TEST(Provenance, StudiesKeepTheirColumnsFirst) {
   ASSERT_EQ(rows.size(), 3u);
   EXPECT_EQ(rows[0],
             "label,renderer,settings,time_ms,time_q1_ms,time_q3_ms,error,memory_mb,on_front,work,machinery,truth,"
-            "program,processor,simd,threads,base_settings,tie,upload_ms");
+            "program,processor,simd,threads,base_settings,tie,upload_ms,standing,left_out");
   const Machine machine = this_machine();
   const std::string made = "pixelscope " + machine.version + "," + system_processor() + "," + machine.simd + "," +
                            std::to_string(machine.threads) + ",threads=3;simd=sse4;gamma=1.5";
