@@ -19,8 +19,15 @@ std::string world_text(double distance) {
                      w, w, w, w, w - 1, w + 3, w + 2, w + 1, w);
 }
 
-Settings with_epsilon(double epsilon) {
+/// In the coordinates of the world: near an origin of the scene's own there is nothing to see.
+Settings in_the_world() {
   Settings settings;
+  settings.camera_relative = false;
+  return settings;
+}
+
+Settings with_epsilon(double epsilon) {
+  Settings settings = in_the_world();
   settings.self_hit = SelfHit::epsilon;
   settings.sphere_test = SphereTest::quadratic;
   settings.shadow_epsilon = epsilon;
@@ -67,7 +74,7 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
     // The place itself is rounded by up to half a step of the numbers there, a thirty-second of the radius at 1e6:
     // edge-on it may lie in shadow indeed.
     const double half_step = 0x1p-24 * distance;
-    const double robust = share(dark_pixels(distance, Settings{}, std::min(0.02, half_step), run));
+    const double robust = share(dark_pixels(distance, in_the_world(), std::min(0.02, half_step), run));
     for (const double epsilon : {1e-3, 1e-2})
       rows.push_back({distance, fmt::format("epsilon {}", epsilon),
                       share(dark_pixels(distance, with_epsilon(epsilon), 0, run)), robust,
@@ -78,6 +85,7 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 StabilityPicture picture(double distance) {
   StabilityPicture picture{.scene = world_text(distance)};
+  picture.robust = in_the_world();
   picture.naive = with_epsilon(1e-3);
   return picture;
 }
@@ -94,13 +102,13 @@ extern const StabilityExperiment world_offset_sphere_acne{
     .key = "world-offset-sphere-acne",
     .place = {Subject::rays, 70},
     .title = "Shadow acne far from the origin",
-    .keywords = "shadow acne, large world, floating origin, self-intersection",
+    .keywords = "shadow acne, large world, floating origin, self-intersection, camera-relative",
     .knob = "distance of the world along each axis",
     .naive = "ignore hits up to epsilon",
     .robust = "bounded offset, no epsilon",
     .explanation = "A point far from the origin is rounded to a coarser grid, so it lies farther off its surface. An "
                    "epsilon that is enough near the origin is soon smaller than that.",
-    .safe = "Up to 10 units for 0.001.",
+    .safe = "Up to 10 units for 0.001, or anywhere with camera-relative = on.",
     .window = {nowhere, 10},
     .series = world_offset_sphere_acne_series,
     .measure = measure,
