@@ -1,10 +1,12 @@
 // Rays and trees of hostile numbers (NaN, infinities, denormals, zeros, huge ones): every search ends, stays within its
-// stack, and finds nothing along a ray that is no ray.
+// stack, and finds nothing along a ray that is no ray. PIXELSCOPE_FUZZ_SECONDS adds other seeds for that time
+// (`tests/run --fuzz`); PIXELSCOPE_TEST_SEED is the first of them.
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -12,9 +14,11 @@
 #include "accel/octree.h"
 #include "accel/wide_bvh.h"
 #include "accel/wide_octree.h"
+#include "base/timer.h"
 #include "raytrace/clear/intersector-inl.h"
 #include "raytrace/fast/fast_intersector.h"
 #include "support/all_accelerators.h"
+#include "support/environment.h"
 #include "support/simd_targets.h"
 #include "support/trials.h"
 
@@ -22,6 +26,26 @@ namespace hostile_rays_test {
 namespace {
 
 using namespace ps;
+
+/// Some fixed seeds and then, while the time of a fuzz run lasts, others.
+class Seeds {
+ public:
+  Seeds(unsigned first, unsigned count) : next_(first), fixed_left_(count) {}
+  std::optional<unsigned> next() {
+    if (fixed_left_ > 0) {
+      --fixed_left_;
+      return next_++;
+    }
+    if (timer_.milliseconds() >= 1000 * test::number_from("PIXELSCOPE_FUZZ_SECONDS", 0)) return {};
+    if (!other_) other_ = test::test_seed();
+    return (*other_)++;
+  }
+
+ private:
+  unsigned next_, fixed_left_;
+  std::optional<unsigned> other_;
+  Timer timer_;
+};
 
 template <class Real>
 Real hostile_number(std::mt19937& random) {
@@ -134,7 +158,9 @@ void search_with(const Scene& scene, const Settings& settings, unsigned seed) {
 }
 
 TEST(HostileRays, EndInEverySearch) {
-  for (unsigned seed = 11; seed < 13; ++seed) {
+  Seeds seeds(11, 2);
+  while (const auto drawn = seeds.next()) {
+    const unsigned seed = *drawn;
     std::mt19937 random(seed);
     const Scene scene = hostile_scene(random);
     for (const Accelerator accelerator : test::all_accelerators())
@@ -157,8 +183,10 @@ TEST(HostileRays, EndInEverySearch) {
 /// The search's own kernels are given rays that is_searchable() would keep away, and boxes and triangles of such
 /// numbers.
 TEST(HostileRays, EndInTreesOfHostileNumbers) {
-  for (unsigned seed = 21; seed < 25; ++seed) {
-    std::mt19937 random(seed);
+  Seeds seeds(21, 4);
+  while (const auto seed = seeds.next()) {
+    SCOPED_TRACE("seed " + std::to_string(*seed));
+    std::mt19937 random(*seed);
     std::vector<Box<float>> boxes(700);
     std::vector<WideTriangle> triangles(boxes.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
