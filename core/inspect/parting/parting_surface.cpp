@@ -89,8 +89,12 @@ std::optional<Parting> part_at_blocker(const Comparison& c, int index_a, int ind
   if (c.a.story.renderer != c.b.story.renderer) {
     const Option* option = c.with_listing() ? nullptr : differing_for_shadows(c);
     if (option) return says(PartingCause::missing_shadow, because(c, option));
-    if (c.with_listing() || !computes_shadows(c.a) || !computes_shadows(c.b))
-      return says(PartingCause::missing_shadow, ": only one of the two renderers computes shadows");
+    if (c.with_listing()) return says(PartingCause::missing_shadow, ": only one of the two renderers computes shadows");
+    for (const StorySide* side : {&c.a, &c.b})
+      if (!computes_shadows(*side))
+        return says(PartingCause::missing_shadow,
+                    fmt::format(": only one of the two renderers computes shadows, for shadows is {} in {}",
+                                option_text(*find_option("shadows"), side->settings), side == &c.a ? "A" : "B"));
     return says(PartingCause::missing_shadow, ": the renderers compute shadows with different algorithms");
   }
   if (const auto key = first_explaining(c, {"self-hit", "shadow-epsilon", "epsilon-unit"}))
