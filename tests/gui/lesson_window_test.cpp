@@ -44,7 +44,7 @@ TEST(LessonWindow, AnswersAreThereAfterARestart) {
         lesson);
   plays(state, "expect question/open off\nclick lesson/ask-again\nwait idle\nexpect question/open on\n", lesson + "/2");
   std::ofstream(state / "pixelscope" / "answers.jsonl", std::ios::app) << "{\"damaged\"\n";
-  plays(state, "expect question/open on\nexpect message contains \"answers.jsonl:3:1\"\n", lesson);
+  plays(state, "expect question/open off\nexpect message contains \"answers.jsonl:3:1\"\n", lesson);
 }
 
 std::string lesson_text(const std::string& title, const std::string& settings) {

@@ -94,6 +94,7 @@ void FileDialog::draw() {
   if (opens) ImGui::SetKeyboardFocusHere();
   // A line of its own each time: Dear ImGui selects all of a suggestion, so that typing replaces it, only in a new one.
   ImGui::PushID(asked_);
+  forget_edits_before("##path");
   const bool entered = ImGui::InputTextWithHint("##path", question_.hint.c_str(), buffer.data(), buffer.size(),
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::PopID();

@@ -117,6 +117,12 @@ bool key_pressed(Key key, KeyRepeat repeat) {
   return ImGui::IsKeyPressed(*theirs, repeat == KeyRepeat::repeats);
 }
 
+void forget_edits_before(const char* label) {
+  const ImGuiID field = ImGui::GetID(label);
+  if (field == ImGui::GetActiveID()) return;
+  if (ImGuiInputTextState* state = ImGui::GetInputTextState(field)) state->ID = 0;
+}
+
 void take_wheel_for_item() {
 #if PS_IMGUI_SINCE_1_89
   ImGui::SetItemKeyOwner(ImGuiKey_MouseWheelY, 0);

@@ -30,6 +30,10 @@ void take_wheel_for_item();
 /// Whether an item took the wheel in the frame before this one.
 bool wheel_is_taken();
 
+/// To be called before a text field of this name that others may fill as well. Dear ImGui keeps what undo needs of the
+/// field that was edited last, and up to 1.90 applies it to another text, with places beyond its end.
+void forget_edits_before(const char* label);
+
 // --- items over which later items may lie ------------------------------------------------------------------------
 
 /// Lives while such an item is made. The later item is then hovered alone.

@@ -69,6 +69,7 @@ void CommandPalette::draw(const Actions& actions) {
   ImGui::SetNextItemWidth(-1);
   if (just_opened_) ImGui::SetKeyboardFocusHere();
   ImGui::PushStyleColor(ImGuiCol_FrameBg, palette().panel);
+  forget_edits_before("##text");
   const bool enter = ImGui::InputTextWithHint("##text", "Type a command, a lesson, an option or a value", &text_,
                                               ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::PopStyleColor();

@@ -69,6 +69,7 @@ Edit typed(std::string_view name, double& value, const NumberRange& range, float
   if (is_active)
     for (const char key : std::exchange(gesture.first, {}))
       ImGui::GetIO().InputQueueCharacters.push_back(static_cast<ImWchar>(key));
+  forget_edits_before("##typed");
   const bool enter = ImGui::InputText("##typed", &gesture.text,
                                       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   ImGui::PopStyleVar();

@@ -30,6 +30,7 @@ TextEdit typed_field(std::string_view name, std::string& text, std::string_view 
   TextEdit edit;
   {
     const Overlappable by_what_clears_it;
+    forget_edits_before(id.c_str());
     edit.changed = ImGui::InputTextWithHint(id.c_str(), shown_hint.c_str(), &text);
   }
   edit.entered = ImGui::IsItemDeactivated() && (key_pressed(Key::enter) || key_pressed(Key::keypad_enter));

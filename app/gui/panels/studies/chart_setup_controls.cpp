@@ -8,6 +8,7 @@
 
 #include "base/check.h"
 #include "gui/panels/studies/chart_setup.h"
+#include "gui/platform/imgui_version.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 #include "options/option_search.h"
@@ -59,6 +60,7 @@ bool value_buttons(SweepAxis& axis) {
 void typed_values(SweepAxis& axis, std::string& text) {
   const std::string id = "##" + full_name("values");
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  forget_edits_before(id.c_str());
   const bool changed = ImGui::InputText(id.c_str(), &text);
   outline(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
           ImGui::IsItemActive() ? palette().text_quiet : palette().line_strong);
