@@ -11,6 +11,7 @@
 namespace ps::gui {
 namespace {
 
+// NOLINTNEXTLINE(performance-no-int-to-ptr): the number is the pointer that Dear ImGui was given
 SDL_Texture* texture_of(ImTextureID texture) { return reinterpret_cast<SDL_Texture*>(texture_number(texture)); }
 
 /// Dear ImGui's triangles drawn by SDL_RenderGeometry, for machines without OpenGL.

@@ -33,9 +33,10 @@ std::string keys_of(const Actions& actions, const Action& action, float room) {
   const FontScope mono(Face::mono);
   std::string text;
   for (const std::string& key : actions.key_texts(action.name)) {
-    const std::string more = text.empty() ? key : text + "  " + key;
+    std::string more = text;
+    more.append(text.empty() ? "" : "  ").append(key);
     if (!text.empty() && ImGui::CalcTextSize(more.c_str()).x > room) break;
-    text = more;
+    text = std::move(more);
   }
   return text;
 }
