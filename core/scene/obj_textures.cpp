@@ -109,7 +109,8 @@ int ObjTextures::read(const MtlTexture& map, const fs::path& mtl, MtlMapKind kin
   model_.files.push_back(path->string());  // also one that cannot be read: it may be repaired while the model is open
   try {
     Texture texture = as_asked(map, *path, kind);
-    add(std::move(texture), texels_of(mtl, map, *path, {texture.channel, texture.base, texture.gain, texels_left_}));
+    auto texels = texels_of(mtl, map, *path, {texture.channel, texture.base, texture.gain, texels_left_});
+    add(std::move(texture), std::move(texels));
   } catch (const InputError& error) {
     warn_unreadable(mtl, map, *path, error);
     return -1;
