@@ -1,5 +1,5 @@
-// The window on Wayland, in the compositor weston. Its screen is a window on the display of the tests here, which gives it a
-// pointer and a keyboard: its headless back end has none, and the program ends in the window library without them.
+// The window on Wayland, in the compositor weston. Its screen is a window on the display of the tests here, which gives
+// it a pointer and a keyboard: its headless back end has none, and the program ends in the window library without them.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -350,7 +350,8 @@ TEST(Listing, PictureIsThatOfTheRenderer) {
     Settings settings = textbook(scene);
     parse_assignment(std::string("listing=") + each.listing, settings);
     for (const char* change : each.set) parse_assignment(change, settings);
-    const NamedListing& listing = listing_of(settings, scene_traits(scene));
+    const SceneTraits traits = scene_traits(scene);
+    const NamedListing& listing = listing_of(settings, traits);
     ASSERT_EQ(listing.key, each.listing);
     const int width = std::min(scene.canvas_width, 200);
     const int height = width * scene.canvas_height / scene.canvas_width / 2 * 2;  // even: the book has no middle pixel
