@@ -78,11 +78,11 @@ TEST(Provenance, PicturesAndTheirStatistics) {
   EXPECT_EQ(texts["Software"], "pixelscope " + this_machine().version);
   EXPECT_EQ(texts["processor"], system_processor());
   EXPECT_EQ(texts["threads"], "3");
-  EXPECT_EQ(texts["simd"], numbers["simd"]);
+  EXPECT_EQ(numbers["simd"], texts["simd"]);
   EXPECT_EQ(texts["settings"], "threads=3;simd=sse4;gamma=1.5");
-  EXPECT_EQ(texts["machinery"], numbers["machinery"]["path"]);
+  EXPECT_EQ(numbers["machinery"]["path"], texts["machinery"]);
   EXPECT_EQ(texts["scene"], "cgfs/lens");
-  EXPECT_EQ(texts["permalink"], numbers["permalink"]);
+  EXPECT_EQ(numbers["permalink"], texts["permalink"]);
   EXPECT_EQ(numbers["processor"], system_processor());
   ASSERT_EQ(run_cli(lens_command("render", {"--out", ppm})).status, 0);
   for (const auto& [key, value] : texts)
