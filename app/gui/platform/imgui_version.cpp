@@ -123,6 +123,13 @@ void forget_edits_before(const char* label) {
   if (ImGuiInputTextState* state = ImGui::GetInputTextState(field)) state->ID = 0;
 }
 
+void give_keyboard_to_next_item() {
+#if PS_IMGUI_SINCE_1_87
+  ImGui::SetWindowFocus();
+#endif
+  ImGui::SetKeyboardFocusHere();
+}
+
 void take_wheel_for_item() {
 #if PS_IMGUI_SINCE_1_89
   ImGui::SetItemKeyOwner(ImGuiKey_MouseWheelY, 0);

@@ -25,6 +25,9 @@ enum class KeyRepeat { repeats, once };
 /// ImGui acts on: Enter, Esc, arrows and the like.
 bool key_pressed(Key key, KeyRepeat repeat = KeyRepeat::repeats);
 
+/// Gives the keyboard to the next item and to its window: newer versions leave it where it is if another window has it.
+void give_keyboard_to_next_item();
+
 /// Keeps the wheel from scrolling the panel while the pointer is over the last item, from the next frame on.
 void take_wheel_for_item();
 /// Whether an item took the wheel in the frame before this one.

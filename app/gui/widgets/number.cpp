@@ -62,7 +62,7 @@ Edit typed(std::string_view name, double& value, const NumberRange& range, float
   const FontScope mono(Face::mono);
   ImGui::SetNextItemWidth(width);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(6), std::floor((height - ImGui::GetFontSize()) / 2)});
-  if (gesture.typing_began) ImGui::SetKeyboardFocusHere();
+  if (gesture.typing_began) give_keyboard_to_next_item();
   // Until the field is active, keys come here in place of it.
   const bool is_active = ImGui::GetActiveID() == ImGui::GetID("##typed");
   if (const auto digit = key_focus().digit(); digit && !is_active) gesture.first += *digit;

@@ -20,7 +20,7 @@ TextEdit typed_field(std::string_view name, std::string& text, std::string_view 
   const std::string id = "##" + full_name(name), shown_hint(hint);
   const ImVec2 start = ImGui::GetCursorScreenPos();
   if (begun_by_key == full_name(name)) {
-    ImGui::SetKeyboardFocusHere();
+    give_keyboard_to_next_item();
     begun_by_key.clear();
   }
   ImGui::SetNextItemWidth(width);
