@@ -119,7 +119,8 @@ void expect_read(const Written& written) {
     for (int x = 0; x < width; ++x)
       for (int channel = 0; channel < 3; ++channel) {
         const int stored = level(x, y, is_grey ? 0 : channel);
-        const float value = fifths ? static_cast<float>(stored / 8) / 31 : static_cast<float>(stored) / 255;
+        const int kept = fifths ? stored >> 3 : stored;  // the upper five bits
+        const float value = static_cast<float>(kept) / (fifths ? 31 : 255);
         EXPECT_EQ(picture.colour.at(x, y)[channel], value) << x << ", " << y << ": " << channel;
       }
   const bool has_alpha = written.samples == Samples::bits16 || written.samples == Samples::bits32 ||
