@@ -1,5 +1,5 @@
 // Every construct of the notation of formulas as the window sets it, against kept pictures. Where the page should look
-// different, look at build/test-output/gui-maths-specimen/*.png and copy them to tests/gui/reference.
+// different, look at build/test-output/gui-maths-specimen-*/*.png and copy them to tests/gui/reference.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "support/golden.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,11 +17,12 @@ std::filesystem::path output_folder() {
   return std::filesystem::path(PIXELSCOPE_BIN_DIR).parent_path() / "test-output";
 }
 
-/// What a test with a parameter adds to the names of its folders: the same test runs with another parameter meanwhile.
+/// What the running test adds to the names of its folders: other tests, and the same one with another parameter, run
+/// meanwhile and may use the same name.
 std::string own_part() {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  if (test == nullptr || test->value_param() == nullptr) return {};
-  std::string part = test->name();  // the test, "/" and the parameter
+  if (test == nullptr) return {};
+  std::string part = fmt::format("{}-{}", test->test_suite_name(), test->name());  // with "/" and the parameter
   std::replace(part.begin(), part.end(), '/', '-');
   return "-" + part;
 }

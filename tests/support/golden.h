@@ -24,8 +24,8 @@ bool expect_matches(const std::string& name, const Image<Rgb8>& actual, const Im
 /// tests/golden/reference/NAME.
 std::filesystem::path reference_path(const std::string& name);
 
-/// A fresh, empty folder for files that a test writes, below build/test-output/; kept for a look afterwards. Tests that
-/// differ in a parameter have one each.
+/// A fresh, empty folder for files that a test writes, below build/test-output/; kept for a look afterwards. Each
+/// test has its own, also where two give the same name: tests run side by side.
 std::filesystem::path fresh_output_folder(const std::string& name);
 
 }  // namespace ps
