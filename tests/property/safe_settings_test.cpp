@@ -138,7 +138,7 @@ TEST(StabilityPictures, TheStripHoldsAllFrames) {
   };
   EXPECT_GT(white(0), 60);
   EXPECT_EQ(white(frames - 1), 0);
-  EXPECT_FALSE(film_strip(find_stability_experiment("acos-of-unit-dot"), {}, progress));
+  EXPECT_FALSE(film_strip(find_stability_experiment("srgb-averaging"), {}, progress));
 }
 
 }  // namespace

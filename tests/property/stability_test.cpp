@@ -8,7 +8,6 @@
 #include <map>
 
 #include "base/check.h"
-#include "study/stability/build_flags/kernels.h"
 #include "study/stability/experiment.h"
 #include "study/stability/pictures.h"
 #include "support/stability_table.h"
@@ -47,7 +46,7 @@ double naive_at(const std::vector<StabilityRow>& rows, std::string_view series, 
 std::size_t enough_rows(std::string_view key) {
   for (const std::string_view slow :
        {"cracks-in-an-image", "ground-sphere-acne", "shadow-map-acne", "triangle-edge-cracks", "peter-panning",
-        "gouraud-highlight", "precision", "build-flags", "reflection-self-hit", "grid-octree-borders"})
+        "gouraud-highlight", "precision", "reflection-self-hit", "grid-octree-borders"})
     if (test::trial_divisor > 1 && key == slow) return 2;
   return std::numeric_limits<std::size_t>::max();
 }
@@ -151,19 +150,6 @@ TEST(Stability, TablesLeaveAMissingMethodEmpty) {
             "knob,series,naive,robust,unit\n0.5,a,1,,px\n");
 }
 
-// The table's figures do not depend on a processor's estimates of square roots; optimisation alone changes no pixel,
-// and -ffast-math changes some on each of them.
-TEST(Stability, BuildFlagsAloneChangePixels) {
-  if (test::trial_divisor > 1) GTEST_SKIP() << "sanitized code is another build; EachExperiment runs the first rows";
-  const auto rows = measured("build-flags");
-  EXPECT_EQ(naive_at(rows, "-O0", 1), 0);
-  EXPECT_GT(naive_at(rows, "-ffast-math", 3), 0);
-  if (stability::uncontracted_build().available()) {
-    EXPECT_EQ(naive_at(rows, "-mavx2 -mfma -ffp-contract=off", 6), 0);
-    EXPECT_GT(naive_at(rows, "-mfma -ffp-contract=fast", 2), 0);
-  }
-}
-
 // A sample on an edge that two triangles share belongs to both under >= 0 and to neither under > 0.
 TEST(Stability, WhatOneFillRulePaintsTwiceTheOtherLeavesOut) {
   const auto rows = measured("fill-rule-easy");
@@ -189,19 +175,6 @@ TEST(Stability, TheSmallestGapFollowsFromWhereCodesEnd) {
 // From z = 9000 on there is one code of 16 bits only, so no gap at all is resolved.
 TEST(Stability, NoGapIsResolvedWhereThereIsOneCode) {
   EXPECT_TRUE(std::isnan(naive_at(measured("depth-bits-z-fighting"), "unorm 16, resolved", 9000)));
-}
-
-// One wild vertex costs nodes, and neighbours in a mesh stay together; coordinates whose squares are finite cost
-// nothing.
-TEST(Stability, AnInfiniteVertexCostsNodesWhereTrianglesLieInNoOrder) {
-  const auto rows = measured("infinite-vertex");
-  const auto bad = static_cast<double>(1e38f), large = static_cast<double>(1e18f);
-  const auto slower = [&](const char* series, double knob) {
-    return naive_at(rows, series, knob) / value_at(rows, series, knob, FigureMethod::robust);
-  };
-  EXPECT_GT(slower("5,000 triangles anywhere", bad), 2);
-  EXPECT_LT(slower("a sphere in rings", bad), 2);
-  for (const char* series : {"5,000 triangles anywhere", "a sphere in rings"}) EXPECT_LT(slower(series, large), 1.1);
 }
 
 // A tree with the robust slab test visits hardly more nodes.

@@ -43,9 +43,6 @@ struct StabilityFigure {
   std::string place;    ///< "rays.tsv:12"
   FigureRange knobs;    ///< a single knob has low = high; "all" reaches from -infinity to infinity
   FigureRange accepts;  ///< measured values that the rule accepts; all for `rising`, `falling` and `above_robust`
-
-  /// Some processors lack what is measured.
-  bool if_available() const { return remark.starts_with("if available"); }
 };
 
 /// All rows, files in the order of their names. Throws InputError with file and line for a row that cannot be read or

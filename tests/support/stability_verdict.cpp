@@ -72,9 +72,9 @@ std::vector<StabilityRow> rows_about(const StabilityFigure& figure, std::span<co
   return rows;
 }
 
-std::string fault_of(const StabilityFigure& figure, std::span<const StabilityRow> measured, Missing missing) {
+std::string fault_of(const StabilityFigure& figure, std::span<const StabilityRow> measured) {
   const std::vector<StabilityRow> rows = rows_about(figure, measured);
-  if (rows.empty()) return missing == Missing::allowed && figure.if_available() ? "" : "nothing is measured there";
+  if (rows.empty()) return "nothing is measured there";
   switch (figure.rule) {
   case FigureRule::rising:
     return wrong_step(rows, figure.method, 1);
@@ -112,7 +112,7 @@ std::string page_value(const StabilityFigure& figure, std::span<const StabilityR
   std::string text;
   for (const StabilityRow& row : rows_about(figure, measured))
     text += fmt::format("{}{:.4g}", text.empty() ? "" : ", ", value_of(row, figure.method));
-  return text.empty() ? "not on this processor" : text;
+  return text;
 }
 
 std::string page_row_end(const StabilityFigure& figure) {

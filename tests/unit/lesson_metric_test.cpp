@@ -168,7 +168,7 @@ TEST(LessonMetric, FalseShadowsAreThoseOfASurfaceOnItself) {
 }
 
 TEST(LessonMetric, AnExperimentsPointIsThatOfItsCurve) {
-  const std::string key = "acos-of-unit-dot";
+  const std::string key = "refraction-total-internal";
   Progress progress;
   StabilityRun run;
   run.progress = &progress;

@@ -1,8 +1,7 @@
 #include <cmath>
+#include <limits>
 
-#include "accel/bvh.h"
 #include "raytrace/clear/triangle_watertight.h"
-#include "record/recorder.h"
 #include "study/stability/half_tree.h"
 #include "study/stability/support.h"
 
@@ -64,66 +63,6 @@ std::vector<StabilityRow> measure_nan(const StabilityRun& run) {
   return rows;
 }
 
-using Triangles = std::vector<TracedTriangle<float>>;
-
-/// The sphere, ring by ring, with one of its 1,602 vertices here.
-Triangles rings(float bad_value) {
-  ClosedSphere mesh = small_sphere();
-  if (bad_value != 0) mesh.vertices[700] = Vec3f(bad_value);
-  Triangles triangles;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) triangles.push_back(mesh.triangle(i));
-  return triangles;
-}
-
-/// 5,000 small triangles anywhere in a cube of side 2, one of which has a vertex here.
-Triangles soup(float bad_value, const StabilityRun& run) {
-  Random place(run.seed + 1);
-  Triangles triangles(5000);
-  for (TracedTriangle<float>& triangle : triangles) {
-    const Vec3d middle = place.in_cube(1);
-    for (Vec3f* corner : {&triangle.a, &triangle.b, &triangle.c}) *corner = Vec3f(middle + place.in_cube(0.1));
-  }
-  if (bad_value != 0) triangles[1700].a = Vec3f(bad_value);
-  return triangles;
-}
-
-double nodes_per_ray(const Triangles& triangles, const StabilityRun& run) {
-  run.check();
-  std::vector<Box<float>> boxes(triangles.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i)
-    for (const Vec3f& corner : {triangles[i].a, triangles[i].b, triangles[i].c}) boxes[i].include(corner);
-  const Bvh<float> bvh = build_bvh<float>(boxes, 1);
-  Random random(run.seed);
-  CountingRecorder nodes;
-  const int rays = run.count(50000, 5000);
-  for (int i = 0; i < rays; ++i) {
-    const Vec3f origin(random.direction() * 5.0), direction(Vec3f(random.in_cube(1)) - origin);
-    const Shear<float> shear(direction);
-    float limit = std::numeric_limits<float>::infinity();
-    for_each_candidate(
-        bvh, SlabRay<float>(origin, direction, 0), limit,
-        [&](std::uint32_t k) {
-          const auto hit = triangle_watertight<float>(origin, shear, triangles[k], TriangleGuard::none);
-          if (hit.verdict == TriangleVerdict::inside && hit.t > 0 && hit.t < limit) limit = hit.t;
-          return false;
-        },
-        nodes);
-  }
-  return static_cast<double>(nodes.counters[Counter::node_visits]) / rays;
-}
-
-std::vector<StabilityRow> measure_infinite(const StabilityRun& run) {
-  Rows rows(run);
-  const auto measure = [&](const char* series, auto&& triangles) {
-    const double without = nodes_per_ray(triangles(0.0f), run);
-    for (const float value : {1e3f, 1e18f, 1e38f, std::numeric_limits<float>::infinity()})
-      rows.push_back({value, series, nodes_per_ray(triangles(value), run), without, "nodes per ray"});
-  };
-  measure("5,000 triangles anywhere", [&](float value) { return soup(value, run); });
-  measure("a sphere in rings", rings);
-  return rows;
-}
-
 }  // namespace
 
 static constexpr KnobCase nan_vertex_cases[]{{0, "no NaN"}, {1, "one NaN"}, {3, "three NaN"}};
@@ -145,26 +84,5 @@ extern const StabilityExperiment nan_vertex{
     .window = {0, 0},
     .series = nan_vertex_series,
     .measure = measure_nan};
-
-static constexpr StabilitySeries infinite_vertex_series[]{
-    {.names = "*", .title = "boxes visited by a ray", .unit = "boxes"},
-};
-
-extern const StabilityExperiment infinite_vertex{
-    .key = "infinite-vertex",
-    .place = {Subject::boxes, 60},
-    .title = "A vertex at infinity",
-    .keywords = "infinity, overflow, bad model, bounding box",
-    .knob = "coordinate of one vertex",
-    .naive = "build with it",
-    .robust = "refuse it",
-    .explanation = "The surface areas of all boxes above are infinite, so the heuristic cannot compare splits and "
-                   "halves the list in its order. Hits stay right, but the search slows down. If the triangles have no "
-                   "order, each half fills the space of the whole, and halves, quarters and so on are searched one "
-                   "after another. In a mesh, neighbours stay together.",
-    .safe = "Coordinates whose squares are finite, up to 1e18.",
-    .window = {nowhere, 1e18},
-    .series = infinite_vertex_series,
-    .measure = measure_infinite};
 
 }  // namespace ps::stability::bad_vertices

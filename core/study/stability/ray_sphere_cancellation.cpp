@@ -26,22 +26,7 @@ struct Errors {
   double off_surface() const { return hits > 0 ? std::sqrt(off_squared / hits) : 0; }
 };
 
-enum class Method { textbook, stable_q, remainder, robust, textbook_double };
-
-/// The textbook discriminant with roots from q = -(b + sign(b) sqrt(b^2 - 4ac)) / 2, which never subtracts like sizes.
-SphereRoots<float> sphere_stable_q(const Vec3f& origin, const Vec3f& direction, float a,
-                                   const TracedSphere<float>& sphere) {
-  SphereRoots<float> roots = sphere_quadratic(origin, direction, a, sphere);
-  if (!(roots.discriminant >= 0)) return roots;
-  const Vec3f from_centre = origin - sphere.centre;
-  const float b = 2 * dot(from_centre, direction);
-  const float root = std::sqrt(roots.discriminant);
-  const float q = -0.5f * (b < 0 ? b - root : b + root);
-  const float c = dot(from_centre, from_centre) - sphere.radius * sphere.radius;
-  roots.near = std::min(q / a, c / q);
-  roots.far = std::max(q / a, c / q);
-  return roots;
-}
+enum class Method { textbook, remainder, textbook_double };
 
 /// The discriminant from the remainder vector, with roots from the textbook's formula.
 SphereRoots<float> sphere_remainder(const Vec3f& origin, const Vec3f& direction, float a,
@@ -88,14 +73,8 @@ Errors draw_errors(Method method, double distance, std::uint32_t seed, const Sta
     case Method::textbook:
       use(sphere_quadratic<float>(origin, direction, a, sphere));
       break;
-    case Method::stable_q:
-      use(sphere_stable_q(origin, direction, a, sphere));
-      break;
     case Method::remainder:
       use(sphere_remainder(origin, direction, a, sphere));
-      break;
-    case Method::robust:
-      use(sphere_robust<float>(origin, direction, a, sphere));
       break;
     case Method::textbook_double:
       use(sphere_quadratic<double>(o, d, dot(d, d), exact));
@@ -160,12 +139,6 @@ std::vector<StabilityRow> measure_ray_sphere_cancellation(const StabilityRun& ru
   return rows;
 }
 
-std::vector<StabilityRow> measure_stable_q_alone(const StabilityRun& run) {
-  Rows rows(run);
-  compare(rows, Method::stable_q, Method::robust, "", 1, run);
-  return rows;
-}
-
 /// The ball is equally large in the picture at every distance: the projection plane is as far away as it is.
 StabilityPicture picture_ray_sphere(double distance) {
   StabilityPicture picture;
@@ -209,21 +182,5 @@ extern const StabilityExperiment ray_sphere_cancellation{
     .measure = measure_ray_sphere_cancellation,
     .picture = picture_ray_sphere,
     .frames = frames};
-
-extern const StabilityExperiment stable_q_alone{
-    .key = "stable-q-alone",
-    .place = {Subject::rays, 60},
-    .set_up = SetUp::reproduction,
-    .title = "Cancellation: stable roots alone",
-    .keywords = "quadratic formula, discriminant, loss of significance",
-    .knob = "distance / radius",
-    .naive = "discriminant b^2 - 4ac, roots without cancellation",
-    .robust = "remainder vector, roots without cancellation (sphere-test = robust)",
-    .explanation = "Roots from q = b + sign(b) sqrt(discriminant) do not cancel. Whether there are roots at all is "
-                   "decided by the discriminant, which has lost its digits before.",
-    .safe = "Up to 100 radii, as with the textbook's roots.",
-    .window = {nowhere, 100},
-    .series = ray_sphere_series,
-    .measure = measure_stable_q_alone};
 
 }  // namespace ps::stability::ray_sphere_cancellation

@@ -79,17 +79,6 @@ std::vector<StabilityRow> measure_tolerance(const StabilityRun& run) {
   return rows;
 }
 
-std::vector<StabilityRow> measure_pluecker(const StabilityRun& run) {
-  Rows rows(run);
-  for (const AimAt what : {AimAt::edge, AimAt::vertex, AimAt::interior}) {
-    const std::vector<CrackRates> rates = crack_rates(what, {watertight_hits, pluecker_hits(0), pluecker_hits(1)}, run);
-    const double knob = what == AimAt::edge ? 0 : what == AimAt::vertex ? 1 : 2;
-    add_cracks(rows, knob, name_of(what), rates[1], rates[0]);
-    add_cracks(rows, knob, "epsilon of one ulp of the sum, " + name_of(what), rates[2], rates[0]);
-  }
-  return rows;
-}
-
 /// Rays of length 1 at the edges of a sphere of triangles, from its centre: the percentage that escapes each test.
 std::vector<double> escaped(double radius, const std::vector<TriangleHits>& tests, const StabilityRun& run) {
   run.check();
@@ -175,27 +164,6 @@ extern const StabilityExperiment mt_tolerance{
     .window = nowhere_safe,
     .series = mt_tolerance_series,
     .measure = measure_tolerance};
-
-static constexpr StabilitySeries plucker_vertices_series[]{
-    {.names = "at vertices, misses|*misses", .title = "rays that slip through", .unit = "per million"},
-    {.names = "*double hits", .title = "rays that hit two triangles", .unit = "per million"},
-};
-
-extern const StabilityExperiment plucker_vertices{
-    .key = "plucker-vertices",
-    .place = {Subject::rays, 140},
-    .set_up = SetUp::reproduction,
-    .title = "Pluecker coordinates at vertices",
-    .keywords = "Plücker, watertight, shared vertex, ray triangle",
-    .knob = "where rays are aimed",
-    .naive = "Pluecker coordinates",
-    .robust = "watertight (Woop)",
-    .explanation = "Along an edge both neighbours compute the same number with opposite signs. Around a vertex several "
-                   "edges meet, which are rounded independently.",
-    .safe = "Rays at edges, but not at vertices.",
-    .window = {0, 0},
-    .series = plucker_vertices_series,
-    .measure = measure_pluecker};
 
 static constexpr StabilitySeries absolute_det_epsilon_series[]{
     {.names = "epsilon 1e-7|*", .title = "rays that are lost", .unit = "%"},

@@ -20,16 +20,6 @@ bool cgpp_hits(const AimedRay& ray, const TracedTriangle<float>& triangle) {
   return u >= least && v >= least && w >= least && dot(edge_c, r) > 0;
 }
 
-TriangleHits pluecker_hits(float ulps) {
-  return [=](const AimedRay& ray, const TracedTriangle<float>& triangle) {
-    const Vec3f a = triangle.a - ray.origin, b = triangle.b - ray.origin, c = triangle.c - ray.origin;
-    const auto side = [&](const Vec3f& p, const Vec3f& q) { return dot(cross(p - q, p + q), ray.direction); };
-    const float u = side(c, b), v = side(a, c), w = side(b, a);
-    const float zero = ulps * std::numeric_limits<float>::epsilon() * std::abs(u + v + w);
-    return std::min({u, v, w}) >= -zero || std::max({u, v, w}) <= zero;
-  };
-}
-
 bool plane_barycentric_hits(const AimedRay& ray, const TracedTriangle<float>& triangle) {
   const auto result = triangle_barycentric<float>(ray.origin, ray.direction, triangle, 0);
   return result.verdict == TriangleVerdict::inside && result.t > 0;
@@ -41,11 +31,6 @@ bool plane_cross_products_hits(const AimedRay& ray, const TracedTriangle<float>&
 }
 
 bool float_only_hits(const AimedRay& ray, const TracedTriangle<float>& triangle) {
-  static const FlagBuild plain = plain_build();
-  return plain.watertight(flat(ray), flat(triangle));
-}
-
-bool fused_edges_hits(const AimedRay& ray, const TracedTriangle<float>& triangle) {
   const Shear<float> shear(ray.direction);
   const auto sheared = [&](const Vec3f& corner) {
     const float far = corner[shear.kz] - ray.origin[shear.kz];
@@ -53,7 +38,7 @@ bool fused_edges_hits(const AimedRay& ray, const TracedTriangle<float>& triangle
                  corner[shear.ky] - ray.origin[shear.ky] - shear.y * far);
   };
   const Vec2f a = sheared(triangle.a), b = sheared(triangle.b), c = sheared(triangle.c);
-  const auto edge = [](const Vec2f& p, const Vec2f& q) { return std::fma(p.x, q.y, -(p.y * q.x)); };
+  const auto edge = [](const Vec2f& p, const Vec2f& q) { return p.x * q.y - p.y * q.x; };
   const float u = edge(c, b), v = edge(a, c), w = edge(b, a);
   return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
 }

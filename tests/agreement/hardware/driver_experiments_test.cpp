@@ -1,6 +1,5 @@
-// The experiments that only hardware shows: mip levels that blocks of 2 x 2 pixels share, and derivatives that are
-// differences within them; vertices that the driver rounds, against its own word about its sub-pixel bits; and its
-// depth formats, against the width of their codes.
+// The experiments that only hardware shows: mip levels that blocks of 2 x 2 pixels share, and vertices that the driver
+// rounds, against its own word about its sub-pixel bits.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -75,66 +74,17 @@ TEST(DriverSnapping, MovesTheEdgeByTheSubPixelsThatTheDriverReports) {
   EXPECT_GT(largest, 0.35 / steps) << "the edge stays in place between two sub-pixels";
 }
 
-TEST(DriverDepth, FormatsKeepSheetsApartFromTheWidthOfACode) {
+TEST(DriverLevel, OpensItsPictures) {
   PS_NEEDS_HARDWARE(hardware);
-  const std::vector<StabilityRow> rows = find_stability_experiment("driver-depth").measure({});
-  const auto driver = rows_of(rows, "24 bits, driver"), own = rows_of(rows, "24 bits, ours");
-  ASSERT_EQ(driver.size(), 10u);
-  // The nearest sheets are a millionth of their depth apart, 8 to 16 floats: a driver that interpolates depths less
-  // exactly than to a float mixes them up at some pixels.
-  for (const StabilityRow& row : rows)
-    EXPECT_LE(row.robust, row.knob > 0.001 || test::drawn_by_llvmpipe() ? 0 : 10) << row.series << " " << row.knob;
-  // A code is z^2 / (near 2^24) wide: 0.6 at the sheets' middle.
-  const double step = 1000.0 * 1000 / (0.1 * 0x1p24);
-  EXPECT_NEAR(own.at(0.3).naive, 100 * (1 - 0.3 / step), 5) << "two depths 0.3 apart share a code by chance";
-  for (const auto& [gap, row] : driver) {
-    if (gap >= 1) {
-      EXPECT_EQ(row.naive, 0) << gap;
-      EXPECT_EQ(own.at(gap).naive, 0) << gap;
-    } else {
-      EXPECT_GT(row.naive, 5) << gap;
-    }
-  }
-  // 2^8 times wider.
-  for (const auto& [gap, row] : rows_of(rows, "16 bits, driver"))
-    EXPECT_NEAR(row.naive, rows_of(rows, "16 bits, ours").at(gap).naive, 3) << gap;
-}
-
-// Differences within a block see what jumps inside it, and nothing else: not the outline of a triangle.
-TEST(DriverEdges, AreWrongWhereCoordinatesJump) {
-  PS_NEEDS_HARDWARE(hardware);
-  const StabilityExperiment& experiment = find_stability_experiment("driver-edges");
-  const std::vector<StabilityRow> rows = experiment.measure({});
-  const auto jumps = rows_of(rows, "at jumps"), elsewhere = rows_of(rows, "elsewhere");
-  const auto outline = rows_of(rows, "at the outline");
-  ASSERT_EQ(jumps.size(), experiment.frames.size());
-  ASSERT_EQ(elsewhere.size(), experiment.frames.size() + 1);
-  EXPECT_EQ(jumps.count(0), 0u) << "without a relief the plane is smooth";
-  EXPECT_LT(elsewhere.at(0).naive, 1);
-  EXPECT_LT(outline.at(0).naive, 1);
-  for (const auto& [depth, row] : jumps) {
-    EXPECT_GT(row.naive, 10) << depth;
-    EXPECT_GT(row.naive, 3 * elsewhere.at(depth).naive) << depth;
-  }
-  for (const StabilityRow& row : rows) EXPECT_LT(row.robust, 0.5) << row.series << " " << row.knob;
-}
-
-TEST(DriverExperiments, OpenTheirPictures) {
-  PS_NEEDS_HARDWARE(hardware);
-  for (const char* key : {"driver-level", "driver-depth", "driver-edges"}) {
-    const StabilityExperiment& experiment = find_stability_experiment(key);
-    Progress progress;
-    for (const double knob : experiment.frames) {
-      const auto opening = open_stability_point(experiment, knob, progress);
-      ASSERT_TRUE(opening);
-      EXPECT_EQ(opening->naive.renderer, hardware);
-      EXPECT_EQ(opening->robust.renderer, hardware);
-      EXPECT_EQ(opening->failing.has_value(), opening->failing_percent > 0);
-    }
-  }
+  const StabilityExperiment& experiment = find_stability_experiment("driver-level");
   Progress progress;
-  EXPECT_TRUE(open_stability_point(find_stability_experiment("driver-depth"), 0.1, progress)->failing)
-      << "the sheet behind has another colour";
+  for (const double knob : experiment.frames) {
+    const auto opening = open_stability_point(experiment, knob, progress);
+    ASSERT_TRUE(opening);
+    EXPECT_EQ(opening->naive.renderer, hardware);
+    EXPECT_EQ(opening->robust.renderer, hardware);
+    EXPECT_EQ(opening->failing.has_value(), opening->failing_percent > 0);
+  }
 }
 
 TEST(DriverLevel, IsNotMeasuredWithoutADriver) {
