@@ -3,8 +3,7 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
-#include <array>
-#include <vector>
+#include <utility>
 
 #include "base/check.h"
 #include "hardware/shader_text.h"
@@ -51,8 +50,11 @@ Program::Program(ShaderFiles& files, std::string_view vertex_file, std::string_v
 
 void Program::make(ShaderFiles& files, std::string_view vertex_file, std::string_view fragment_file, Api api,
                    std::string_view definitions, std::span<const char* const> captured) {
-  const Shader vertex(GL_VERTEX_SHADER, shader_text(files, vertex_file, ShaderStage::vertex, api, definitions));
-  const Shader fragment(GL_FRAGMENT_SHADER, shader_text(files, fragment_file, ShaderStage::fragment, api, definitions));
+  ShaderText vertex_text = shader_text(files, vertex_file, ShaderStage::vertex, api, definitions);
+  ShaderText fragment_text = shader_text(files, fragment_file, ShaderStage::fragment, api, definitions);
+  const Shader vertex(GL_VERTEX_SHADER, vertex_text);
+  const Shader fragment(GL_FRAGMENT_SHADER, fragment_text);
+  files_ = {std::move(vertex_text.files), std::move(fragment_text.files)};
   program_ = glCreateProgram();
   glAttachShader(program_, vertex.id());
   glAttachShader(program_, fragment.id());
@@ -73,6 +75,22 @@ void Program::make(ShaderFiles& files, std::string_view vertex_file, std::string
 Program::~Program() { glDeleteProgram(program_); }
 
 void Program::use() const { glUseProgram(program_); }
+
+ShaderPair Program::texts() const {
+  ShaderPair texts;
+  std::array<GLuint, 2> shaders{};
+  glGetAttachedShaders(program_, 2, nullptr, shaders.data());
+  for (const GLuint shader : shaders) {
+    GLint kind = 0, length = 0;
+    glGetShaderiv(shader, GL_SHADER_TYPE, &kind);
+    glGetShaderiv(shader, GL_SHADER_SOURCE_LENGTH, &length);
+    std::vector<char> source(static_cast<std::size_t>(length) + 1);  // with a zero at its end
+    glGetShaderSource(shader, length, nullptr, source.data());
+    const auto stage = static_cast<std::size_t>(kind == GL_VERTEX_SHADER ? ShaderStage::vertex : ShaderStage::fragment);
+    texts[stage] = {source.data(), files_[stage]};
+  }
+  return texts;
+}
 
 int Program::location(std::string_view name) {
   const auto found = locations_.find(name);

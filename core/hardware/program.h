@@ -1,12 +1,15 @@
 #pragma once
+#include <array>
 #include <map>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "hardware/context.h"
 #include "hardware/shader_files.h"
 #include "math/vec.h"
+#include "record/shader_listing.h"
 
 namespace ps::hardware {
 
@@ -25,7 +28,8 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   void use() const;
-  unsigned id() const { return program_; }
+  /// The texts that the driver has compiled.
+  ShaderPair texts() const;
   /// Gives a uniform of the program in use its value. One that the compiler left out, or the files do not have, is
   /// passed over.
   void set(std::string_view name, int value);
@@ -43,6 +47,7 @@ class Program {
             std::string_view definitions, std::span<const char* const> captured);
   int location(std::string_view name);
 
+  std::array<std::vector<std::string>, 2> files_;  ///< by ShaderStage, as in ShaderText
   unsigned program_ = 0;
   std::map<std::string, int, std::less<>> locations_;
 };

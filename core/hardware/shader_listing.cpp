@@ -1,19 +1,12 @@
 #include "hardware/shader_listing.h"
 
-#include <epoxy/gl.h>
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <set>
 
 #include "base/check.h"
 #include "base/resources.h"
 #include "frame/empty_frame.h"
-#include "hardware/definitions.h"
 #include "hardware/picture_drawer.h"
 #include "hardware/render_hardware.h"
-#include "hardware/shader_lines.h"
-#include "hardware/uniform_values.h"
 
 namespace ps::hardware {
 namespace {
@@ -40,93 +33,32 @@ PixelId triangle_at(const Scene& scene, const View& view, Settings settings, Vec
   return frame.ids.at(pixel.x, pixel.y);
 }
 
-std::string pass_words(const DrawPass& pass) {
-  switch (pass.kind) {
-  case DrawPass::Kind::whole:
-    return "";
-  case DrawPass::Kind::depth:
-    return "depth alone";
-  case DrawPass::Kind::geometry:
-    return "what deferred shading reads";
-  case DrawPass::Kind::shade:
-    return "shading";
-  case DrawPass::Kind::light:
-    return pass.light < 0 ? "without a light" : fmt::format("light {}", pass.light);
-  }
-  return "";
-}
-
-/// Prepares each draw call of a triangle as for the picture, and asks what the programs have then. Nothing is drawn.
+/// Looks up the programs that draw a triangle. Nothing is drawn.
 class ShaderLister : private PictureDrawer {
  public:
-  ShaderLister(const PicturePlan& plan, Workshop& shop) : PictureDrawer(plan, shop) {
-    // As stories do, so that the picture's own target stays.
-    std::swap(shop_.target, shop_.story_picture);
-    std::swap(shop_.geometry, shop_.story_geometry);
-  }
-  ~ShaderLister() {
-    std::swap(shop_.target, shop_.story_picture);
-    std::swap(shop_.geometry, shop_.story_geometry);
-  }
-  ShaderLister(const ShaderLister&) = delete;
-  ShaderLister& operator=(const ShaderLister&) = delete;
+  using PictureDrawer::PictureDrawer;
 
   std::vector<ShaderDraw> list(const PixelId& id) {
-    upload();
-    const DrawRun* run = run_of(id);
-    std::vector<ShaderDraw> draws;
-    if (!run) return draws;
-    for (const DrawPass& pass : draw_passes(plan_)) {
-      const bool whole_picture = plan_.defers && pass.shades();
-      draws.push_back(whole_picture ? of_whole_picture(pass) : of_triangle(*run, id, pass));
-      draws.back().pass = pass_words(pass);
+    const raster::Surface<float>* surface = surface_of(id);
+    if (!surface) return {};
+    std::vector<ShaderDraw> draws{{"", id, program_of(*surface).texts()}};
+    if (plan_.defers) {
+      draws.front().pass = "what deferred shading reads";
+      draws.push_back({"shading", {}, deferred_program().texts()});
     }
-    check_gl("asking for the values of uniforms");
     return draws;
   }
 
  private:
-  const DrawRun* run_of(const PixelId& id) const {
-    if (id.object < 0) return nullptr;
-    const auto has = [&](const DrawRun& run) {
-      if (plan_.objects[run.object].object != id.object) return false;
-      for (std::size_t i = run.first; i < run.first + run.count; ++i)
-        if (static_cast<int>(sorted_triangles_.empty() ? i : sorted_triangles_[i]) == id.triangle) return true;
-      return false;
-    };
-    const auto found = std::find_if(runs_.begin(), runs_.end(), has);
-    return found == runs_.end() ? nullptr : &*found;
-  }
-
-  ShaderDraw of_triangle(const DrawRun& run, const PixelId& id, const DrawPass& pass) {
-    Program& program = *programs_[run.surface];
-    prepare_run(program, run, pass);
-    ShaderDraw draw =
-        with_values(program, "vertex.glsl", "fragment.glsl",
-                    hardware::definitions(plan_, plan_.surfaces.list[run.surface], shop_.driver().clip_control));
-    draw.id = id;
-    return draw;
-  }
-
-  ShaderDraw of_whole_picture(const DrawPass& pass) {
-    Program& program = deferred_program();
-    program.use();
-    set_view(program);
-    set_light(program, pass);
-    set_geometry(program);
-    return with_values(program, "whole_picture.glsl", "deferred.glsl",
-                       deferred_definitions(plan_, shop_.driver().clip_control));
-  }
-
-  ShaderDraw with_values(const Program& program, const char* vertex_file, const char* fragment_file,
-                         const std::string& definitions) {
-    const UniformTexts values = uniform_values(program);
-    ShaderDraw draw;
-    draw.files[static_cast<std::size_t>(ShaderPart::vertex)] =
-        shader_lines(shop_.shaders, vertex_file, definitions, values);
-    draw.files[static_cast<std::size_t>(ShaderPart::fragment)] =
-        shader_lines(shop_.shaders, fragment_file, definitions, values);
-    return draw;
+  const raster::Surface<float>* surface_of(const PixelId& id) const {
+    for (std::size_t i = 0; i < plan_.objects.size(); ++i) {
+      const raster::DrawObject& draw = plan_.objects[i];
+      const auto triangle = static_cast<std::size_t>(id.triangle);
+      if (draw.object != id.object || triangle >= draw.mesh->triangles.size()) continue;
+      const std::size_t slot = draw.materials.size() == 1 ? 0 : draw.mesh->triangles[triangle].material;
+      return &plan_.surfaces.list[plan_.surfaces.first[i] + slot];
+    }
+    return nullptr;
   }
 };
 
@@ -148,8 +80,7 @@ std::shared_ptr<const ShaderListing> list_shaders(const Scene& scene, const View
   const PixelId id = triangle_at(scene, view, settings, pixel, prepared, progress);
   auto listing = std::make_shared<ShaderListing>();
   listing->watched = files_on_disk();
-  PicturePlan plan = make_plan(scene, view, settings, {}, prepared);
-  draw_ahead(plan, prepared, WorkerPriority::normal, progress, [](const char*) {});
+  const PicturePlan plan = make_plan(scene, view, settings, {}, prepared);
   on_gl_thread([&](Workshop& shop) {
     shop.tidy();
     listing->draws = ShaderLister(plan, shop).list(id);

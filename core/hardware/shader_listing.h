@@ -10,8 +10,8 @@
 
 namespace ps::hardware {
 
-/// For the renderer's row (record/renderer_row.h): the draw calls of the triangle that the centre of a pixel shows,
-/// with the programs of a picture without further channels. Throws as render_hardware() does.
+/// For the renderer's row (record/renderer_row.h): the shaders that draw the triangle at the centre of a pixel, in a
+/// picture without further channels. Throws as render_hardware() does.
 std::shared_ptr<const ShaderListing> list_shaders(const Scene& scene, const View& view, const Settings& settings,
                                                   Vec2i pixel, Prepared& prepared, Progress& progress);
 

@@ -90,8 +90,6 @@ ShaderText shader_text(ShaderFiles& files, std::string_view file, ShaderStage st
   return shader;
 }
 
-std::string_view shader_constants() { return names; }
-
 // Mesa writes "2:15(7): error: ...", NVIDIA "2(15) : error ...", others "ERROR: 2:15: ...".
 std::string compiler_words(const ShaderText& shader, std::string_view log) {
   const std::string_view line = log.substr(0, log.find('\n'));

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -9,34 +10,29 @@
 namespace ps {
 
 /// The two shaders of a draw call.
-enum class ShaderPart { vertex, fragment };
+enum class ShaderStage { vertex, fragment };
 
-/// A value that a line of a shader names: a uniform's, or a definition's.
-struct ShaderValue {
-  std::string name, value;
-};
-
-struct ShaderLine {
+/// The text of a shader as the driver gets it: `#version`, definitions, then the file with main() and, in the place of
+/// each `#include`, the file that it names.
+struct ShaderText {
   std::string text;
-  int number = 0;        ///< in its file, from 1
-  bool compiled = true;  ///< false: its #if leaves it out of this program
-  std::vector<ShaderValue> values;
+  std::vector<std::string> files;  ///< "fragment.glsl"; by the number that `#line` gives them in the text
 };
 
-struct ShaderFile {
-  std::string name;  ///< "fragment.glsl"
-  std::vector<ShaderLine> lines;
-};
+/// The two shaders of a program.
+using ShaderPair = std::array<ShaderText, 2>;
+inline const ShaderText& text_of(const ShaderPair& pair, ShaderStage stage) {
+  return pair[static_cast<std::size_t>(stage)];
+}
 
-/// A draw call that the picked pixel is part of.
+/// A program that the picked pixel is drawn by.
 struct ShaderDraw {
-  std::string pass;  ///< "light 2"; empty: the picture has no other pass
+  std::string pass;  ///< "shading"; empty: the picture is drawn by one program
   PixelId id;        ///< the triangle; none where the whole picture is shaded at once
-  /// By ShaderPart: the file with main() first, then those that it includes, in the order in which they are compiled.
-  std::array<std::vector<ShaderFile>, 2> files;
+  ShaderPair shaders;
 };
 
-/// The shaders that drew a pixel, with what the driver had for their uniforms.
+/// The shaders that drew a pixel.
 struct ShaderListing {
   std::vector<ShaderDraw> draws;               ///< in drawing order; empty: nothing was drawn there
   std::vector<std::filesystem::path> watched;  ///< the files on disk that reload_shaders() reads

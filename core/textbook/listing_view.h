@@ -37,7 +37,7 @@ struct ListingRow {
   bool loops = false;        ///< instances begin here, and can be stepped through
   std::string instance;      ///< the chosen one: "sphere green"; empty if none of them is on the way to what is shown
   int place = 0, count = 0;  ///< the chosen one counted from 1 among those that it is beside
-  bool dimmed = false;       ///< it is not part of what runs
+  bool dimmed = false;       ///< it says where the lines behind it come from
 };
 
 /// Which instance of each loop is shown. There is always one of each that fits the others as well as can be.

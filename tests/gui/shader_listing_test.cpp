@@ -1,5 +1,5 @@
-// The shaders in the window: which drew the pixel, with the values of their uniforms; a file that is written wrongly is
-// named with its line while the picture stays, and one that is written well changes the picture.
+// The shaders in the window, as the driver got them; a file that is written wrongly is named with its line while the
+// picture stays, and one that is written well changes the picture.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -18,44 +18,38 @@ namespace {
 
 using namespace ps;
 
-ShaderFile small_file() {
-  return {"lighting.glsl",
-          {{"uniform float exponent;", 1, true, {{"exponent", "20"}}}, {"float unused;", 2, false, {}}}};
+/// As hardware/shader_text.h makes it of a file that includes another.
+ShaderText small_text() {
+  return {"#version 330 core\n#define LIGHTS 3\n#line 1 0\nfirst();\n#ifndef INCLUDED_tints_glsl\n"
+          "#define INCLUDED_tints_glsl\n#line 1 1\nint tint;\n#endif\n#line 3 0\nthird();\n",
+          {"vertex.glsl", "tints.glsl"}};
 }
 
-TEST(ShaderRows, PutAMessageBesideItsLine) {
-  const std::string message = "a shader does not compile: lighting.glsl:2(7): error: no";
-  const auto rows = gui::shader_rows(small_file(), gui::ShaderLinesShown::whole, message);
-  ASSERT_EQ(rows.size(), 2u);
-  ASSERT_EQ(rows[0].values.size(), 1u);
-  EXPECT_EQ(rows[0].values[0].name + rows[0].values[0].value, "exponent20");
-  EXPECT_FALSE(rows[0].dimmed);
-  EXPECT_TRUE(rows[1].dimmed);
-  ASSERT_EQ(rows[1].values.size(), 1u);
-  EXPECT_EQ(rows[1].values[0].value, "error: no") << "its place is where it stands";
-  EXPECT_TRUE(gui::shader_rows(small_file(), gui::ShaderLinesShown::whole, "power.glsl:2(7): error")[1].values.empty())
-      << "of another file";
-  EXPECT_EQ(gui::file_of_message({small_file()}, message), 0);
-  EXPECT_EQ(gui::file_of_message({small_file()}, "power.glsl:2(7): error"), -1);
+TEST(ShaderRows, AreTheTextAsItIs) {
+  std::string text;
+  int number = 0;
+  for (const ListingRow& row : gui::shader_rows(small_text())) {
+    text += row.text + "\n";
+    EXPECT_EQ(row.number, ++number);
+  }
+  EXPECT_EQ(text, small_text().text);
+  const auto files = gui::file_places(small_text());
+  ASSERT_EQ(files.size(), 2u);
+  EXPECT_EQ(files[0].name + files[1].name, "vertex.glsltints.glsl");
+  EXPECT_EQ(files[0].row, 4);
+  EXPECT_EQ(files[1].row, 8);
 }
 
-TEST(ShaderRows, LeaveOutWhatTheProgramIsNotMadeOf) {
-  const ShaderFile file{"a.glsl",
-                        {{"#if TEXTURE", 1, true, {{"TEXTURE", "1"}}},
-                         {"read();", 2, true, {}},
-                         {"#else", 3, true, {}},
-                         {"plain();", 4, false, {}},
-                         {"#endif", 5, true, {}},
-                         {"#if SHADOWS", 6, true, {{"SHADOWS", "0"}}},
-                         {"shadow();", 7, false, {}},
-                         {"#endif", 8, true, {}}}};
-  std::vector<int> numbers;
-  for (const ListingRow& row : gui::shader_rows(file, gui::ShaderLinesShown::compiled, ""))
-    numbers.push_back(row.number);
-  EXPECT_EQ(numbers, (std::vector<int>{1, 2}));
-  EXPECT_EQ(gui::shader_rows(file, gui::ShaderLinesShown::whole, "").size(), 8u);
-  EXPECT_EQ(gui::shader_rows(file, gui::ShaderLinesShown::compiled, "a.glsl:7(1): error").size(), 3u)
-      << "the line that a message is about is shown";
+TEST(ShaderRows, HaveAMessageAtItsLine) {
+  const auto faults = [](const char* place) {
+    return gui::shader_faults(small_text(), std::string("a shader does not compile: ") + place + ": error: no");
+  };
+  using Faults = std::map<int, std::string>;
+  EXPECT_EQ(faults("vertex.glsl:1(7)"), (Faults{{4, "error: no"}}));
+  EXPECT_EQ(faults("tints.glsl:1"), (Faults{{8, "error: no"}}));
+  EXPECT_EQ(faults("vertex.glsl:3"), (Faults{{11, "error: no"}})) << "and not what guards the other file";
+  for (const char* other : {"vertex.glsl:9", "volume_vertex.glsl:1", "power.glsl:1"})
+    EXPECT_EQ(faults(other), Faults{});
 }
 
 /// A root with shaders of its own and everything else of the source tree.
@@ -92,8 +86,8 @@ TEST(ShaderListing, FollowsThePixelAndTheFiles) {
   const std::string commands =
       "wait idle\nset renderer=hardware\nwait idle\nclick-pixel A 230,220\nwait idle\nchoose bottom listing\nwait "
       "idle\n"
-      "expect listing/shader/draws 1\nexpect listing/shader/file fragment.glsl\n"
-      "expect listing/shader/value/SHADING 1\nkeep listing/shader/value/surface_colour COLOUR\n"
+      "expect listing/shader/draws 1\nexpect listing/shader/text contains \"#define SHADING 1\"\n"
+      "expect listing/shader/text contains fragment_colour\nexpect listing/first-line > 20\n"
       "keep a/picture PICTURE\n"
       "screenshot " +
       shots +
@@ -101,14 +95,14 @@ TEST(ShaderListing, FollowsThePixelAndTheFiles) {
       "click listing/fill\nwait idle\nscreenshot " +
       shots +
       "filled.png\n"
-      "choose listing/part vertex\nwait frames 3\nexpect listing/shader/file vertex.glsl\n"
+      "choose listing/part vertex\nwait frames 3\nexpect listing/shader/text contains gl_Position\n"
       "screenshot " +
       shots +
-      "vertex.png\nchoose listing/part fragment\nwait frames 3\nkey Esc\nwait idle\n"
-      // Another object has another colour.
-      "click-pixel A 90,220\nwait idle\n"
-      "expect-not listing/shader/value/surface_colour $COLOUR\n"
-      "click-pixel A 230,220\nwait idle\nexpect listing/shader/value/surface_colour $COLOUR\n"
+      "vertex.png\nchoose listing/part fragment\nwait frames 3\n"
+      "choose listing/file story.glsl\nwait idle\nscreenshot " +
+      shots + "last.png\nchoose listing/file definitions\nwait idle\nexpect listing/first-line 1\nscreenshot " + shots +
+      "definitions.png\nchoose listing/file tints.glsl\nwait idle\nexpect listing/first-line > 20\nkey Esc\nwait "
+      "idle\n"
       // The lesson's routine is still there.
       "choose listing/code routine\nwait idle\nexpect listing/values > 0\nchoose listing/code shaders\nwait idle\n"
       // A mistake is named with its line; the picture stays.
@@ -116,7 +110,7 @@ TEST(ShaderListing, FollowsThePixelAndTheFiles) {
       power.string() + " " + script_word("mistake\n" + good) +
       "\n"
       "wait until listing/shader/error contains tints.glsl:1\nwait idle\n"
-      "expect listing/shader/file tints.glsl\nexpect listing/line-1 contains \"on disk\"\n"
+      "expect listing/shader/error contains syntax\n"
       "screenshot " +
       shots +
       "error.png\nexpect a/picture $PICTURE\nexpect listing/shader/reloads 0\n"

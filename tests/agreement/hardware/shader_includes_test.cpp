@@ -5,7 +5,6 @@
 
 #include "base/atomic_file.h"
 #include "base/check.h"
-#include "hardware/shader_lines.h"
 #include "hardware/shader_text.h"
 #include "support/environment.h"
 #include "support/run_cli.h"
@@ -21,11 +20,11 @@ class ShaderIncludes : public testing::Test {
   void write(const std::string& name, const std::string& text) const {
     write_file_atomically(folder_.path() / "core/hardware/shaders" / name, text);
   }
-  /// What is said of the file, as the compiler and as the listing read it.
+  /// What is said of the file.
   static std::string refusal(const std::string& name) {
     try {
       hardware::ShaderFiles files;
-      hardware::shader_text(files, name, hardware::ShaderStage::fragment, hardware::Api::desktop, "");
+      hardware::shader_text(files, name, ShaderStage::fragment, hardware::Api::desktop, "");
     } catch (const InputError& error) {
       return error.what();
     }
@@ -65,17 +64,7 @@ TEST_F(ShaderIncludes, LeadNowhereElse) {
     write("a.glsl", std::string("#include \"") + name + "\"\n");
     EXPECT_EQ(refusal("a.glsl"),
               std::string("\"") + name + "\": expected a name in the folder of the shaders, without '/'");
-    hardware::ShaderFiles files;
-    EXPECT_THROW(hardware::shader_lines(files, "a.glsl", "", {}), InputError) << name;
   }
-}
-
-// The listing leaves out a file that it has read already, as the compiler does, so it ends in a circle.
-TEST_F(ShaderIncludes, InACircleAreListedOnce) {
-  write("a.glsl", "#include \"b.glsl\"\n");
-  write("b.glsl", "#include \"a.glsl\"\n");
-  hardware::ShaderFiles files;
-  EXPECT_EQ(hardware::shader_lines(files, "a.glsl", "", {}).size(), 2u);
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ TEST(HardwareShaders, ThoseOfPassesCompileForOpenGlAndForOpenGlEs) {
 }
 
 TEST(HardwareShaders, WordsOfAnyDriverNameFileAndLineAlike) {
-  const hardware::ShaderText shader{"", {"fragment.glsl", "limits.glsl", "lighting.glsl"}};
+  const ShaderText shader{"", {"fragment.glsl", "limits.glsl", "lighting.glsl"}};
   const auto words = [&](std::string_view log) { return hardware::compiler_words(shader, log); };
   // Mesa, NVIDIA, and as in the reference compiler.
   EXPECT_EQ(words("2:15(7): error: syntax error\nmore"), "lighting.glsl:15(7): error: syntax error");

@@ -94,7 +94,8 @@ ListingColumns columns_for(const std::vector<ListingRow>& rows, float room) {
     if (has_values(row)) longest = std::max(longest, row.text.size());
   ListingColumns columns;
   columns.character = text_width("0");
-  columns.code = std::max(px(number_room), 3 * columns.character + px(12));
+  const std::size_t digits = rows.empty() ? 0 : std::max<std::size_t>(3, fmt::formatted_size("{}", rows.back().number));
+  columns.code = std::max(px(number_room), columns.character * static_cast<float>(digits) + px(12));
   const float wanted = columns.code + columns.character * static_cast<float>(longest + 2);
   if (room - wanted >= px(least_values)) columns.values = wanted;
   return columns;
@@ -212,6 +213,7 @@ float line_spacing() {
 std::optional<ListingStep> listing_code(const std::vector<ListingRow>& rows, bool reveal, const LineMarks& marks) {
   std::optional<ListingStep> step;
   const auto first = std::find_if(rows.begin(), rows.end(), [&](const ListingRow& row) {
+    if (marks.first > 0) return row.number == marks.first;
     if (!marks.faults.empty()) return row.number == marks.faults.begin()->first;
     return marks.marked ? row.number == marks.marked->number : has_values(row);
   });
@@ -224,8 +226,8 @@ std::optional<ListingStep> listing_code(const std::vector<ListingRow>& rows, boo
                           static_cast<int>(ImGui::GetWindowHeight() / ImGui::GetTextLineHeightWithSpacing()));
     const ListingColumns columns = columns_for(rows, ImGui::GetContentRegionAvail().x);
     const auto target = static_cast<std::size_t>(first - rows.begin());
-    const std::size_t head =
-        marks.marked || !marks.faults.empty() || first == rows.end() ? target : routine_of(rows, target);
+    const bool alone = marks.first > 0 || marks.marked || !marks.faults.empty();
+    const std::size_t head = alone || first == rows.end() ? target : routine_of(rows, target);
     const auto named = marks.marked ? std::nullopt : routine_named(rows, marks.routine);
     LookedFor places;
     int first_seen = 0;

@@ -15,6 +15,7 @@ struct LineMarks {
   std::optional<BugLine> marked;  ///< the wrong line, once that may be shown
   std::map<int, std::string> faults{};  ///< what a compiler says of lines, by their numbers
   std::string elsewhere{};              ///< what it says of no line that is shown
+  int first = 0;                        ///< number of the line to look at first; 0 = as the rest says
   std::string routine{};                ///< name of the one to look at first; empty = that of the first values
   std::string remark{};                 ///< above the code, and scrolled with it; may be empty
 };

@@ -15,7 +15,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr double part_width = 180, draw_width = 220, file_width = 170;
+constexpr double stage_width = 180, draw_width = 220, file_width = 170;
 
 ShadersFound find_shaders(const ShaderRequest& request, Progress& progress, Prepared& prepared) {
   try {
@@ -39,15 +39,6 @@ const ShaderDraw* shown_draw(const ShaderPanelState& state) {
   return &draws[std::min(static_cast<std::size_t>(state.draw), draws.size() - 1)];
 }
 
-const std::vector<ShaderFile>& files_of(const ShaderDraw& draw, ShaderPart part) {
-  return draw.files[static_cast<std::size_t>(part)];
-}
-
-const ShaderFile& shown_file(const ShaderPanelState& state, const ShaderDraw& draw) {
-  const auto& files = files_of(draw, state.part);
-  return files[std::min(static_cast<std::size_t>(state.file), files.size() - 1)];
-}
-
 void choose_draw(ShaderPanelState& state) {
   const auto& draws = state.shown->listing->draws;
   if (draws.size() < 2) return;
@@ -57,55 +48,53 @@ void choose_draw(ShaderPanelState& state) {
   int index = std::min(state.draw, static_cast<int>(draws.size()) - 1);
   same_line_if_room(px(draw_width));
   if (drop_down("pass", choices, index, px(draw_width),
-                {.tooltip = "The draw calls of this pixel, in drawing order.", .disabled = {}}))
+                {.tooltip = "The programs that draw this pixel, in drawing order.", .disabled = {}}))
     state.draw = index;
 }
 
-void choose_part(ShaderPanelState& state) {
-  static constexpr std::array parts{
+void choose_stage(ShaderPanelState& state) {
+  static constexpr std::array stages{
       Choice{"vertex", "Vertex", "The shader that places each vertex of the triangle."},
       Choice{"fragment", "Fragment", "The shader that gives each pixel of the triangle its colour."}};
-  int index = static_cast<int>(state.part);
-  same_line_if_room(px(part_width));
-  if (!choice("part", parts, index, {.tooltip = "The shader.", .width = px(part_width)})) return;
-  state.part = static_cast<ShaderPart>(index);
-  state.file = 0;
+  int index = static_cast<int>(state.stage);
+  same_line_if_room(px(stage_width));
+  if (choice("part", stages, index, {.tooltip = "The shader.", .width = px(stage_width)}))
+    state.stage = static_cast<ShaderStage>(index);
 }
 
-void choose_file(ShaderPanelState& state, const ShaderDraw& draw) {
-  const auto& files = files_of(draw, state.part);
-  std::vector<Choice> choices;
-  choices.reserve(files.size());
-  for (const ShaderFile& file : files) choices.push_back({file.name, file.name, ""});
-  int index = std::min(state.file, static_cast<int>(files.size()) - 1);
+void look_at(ShaderPanelState& state, int row) {
+  state.marks.first = row;
+  state.reveal = true;
+}
+
+void go_to_file(ShaderPanelState& state) {
+  std::vector<Choice> choices{{"go-to", "Go to ...", ""}, {"definitions", "Definitions", ""}};
+  for (const ShaderFilePlace& file : state.files) choices.push_back({file.name, file.name, ""});
+  int index = 0;
   same_line_if_room(px(file_width));
-  if (drop_down("file", choices, index, px(file_width),
-                {.tooltip = "The file with main(), and those that it includes.", .disabled = {}}))
-    state.file = index;
+  if (!drop_down("file", choices, index, px(file_width),
+                 {.tooltip = "The definitions, the file with main(), and those that it includes.", .disabled = {}}))
+    return;
+  look_at(state, index == 1 ? 1 : state.files[static_cast<std::size_t>(index - 2)].row);
 }
 
-void choose_lines(ShaderPanelState& state) {
-  bool whole = state.lines == ShaderLinesShown::whole;
-  same_line_if_room(px(130), px(10));
-  if (toggle("whole", "Whole file", whole,
-             {.tooltip = "Shows the lines as well that the definitions leave out of this program."}))
-    state.lines = whole ? ShaderLinesShown::whole : ShaderLinesShown::compiled;
-}
-
+/// A text of another file is shown from where that begins, or from the line that a message is about.
 void keep_rows(ShaderPanelState& state, const ShaderDraw& draw) {
-  const ShaderFile& file = shown_file(state, draw);
-  std::string of = fmt::format("{} {} {} {} {} {}", fmt::ptr(state.shown.get()), state.draw,
-                               static_cast<int>(state.part), static_cast<int>(state.lines), file.name, state.error);
+  const ShaderText& text = text_of(draw.shaders, state.stage);
+  std::string of = fmt::format("{} {}", state.draw, static_cast<int>(state.stage));
   if (of == state.rows_of) return;
-  state.reveal = state.reveal || state.opened != file.name;
-  state.opened = file.name;
+  const std::vector<ShaderFilePlace> before = std::exchange(state.files, file_places(text));
   state.rows_of = std::move(of);
-  state.rows = shader_rows(file, state.lines, state.error);
+  state.rows = shader_rows(text);
+  state.marks.faults = shader_faults(text, state.error);
+  if (before.empty() || before.front().name != state.files.front().name)
+    look_at(state, state.marks.faults.empty() ? state.files.front().row : 0);
 }
 
-/// A new message opens the file that it is about.
+/// A new message turns to the shader that it is about.
 void take_outcome(Session& session, ShaderPanelState& state, const std::string& message) {
   state.error = message;
+  state.rows_of.clear();
   if (message.empty()) {
     ++state.reloads;
     session.draw_again();
@@ -113,22 +102,12 @@ void take_outcome(Session& session, ShaderPanelState& state, const std::string& 
   }
   const ShaderDraw* draw = shown_draw(state);
   if (!draw) return;
-  for (const ShaderPart part : {state.part, ShaderPart::fragment, ShaderPart::vertex})
-    if (const int file = file_of_message(files_of(*draw, part), message); file >= 0) {
-      state.part = part;
-      state.file = file;
+  for (const ShaderStage stage : {state.stage, ShaderStage::fragment, ShaderStage::vertex})
+    if (!shader_faults(text_of(draw->shaders, stage), message).empty()) {
+      state.stage = stage;
+      look_at(state, 0);
       return;
     }
-}
-
-std::optional<std::string> uniform_of(const ShaderPanelState& state, std::string_view name) {
-  const ShaderDraw* draw = shown_draw(state);
-  if (!draw) return {};
-  for (const ShaderFile& file : files_of(*draw, state.part))
-    for (const ShaderLine& line : file.lines)
-      for (const ShaderValue& value : line.values)
-        if (value.name == name) return value.value;
-  return {};
 }
 
 }  // namespace
@@ -165,6 +144,7 @@ void update_shaders(Session& session, ShaderPanelState& state) {
   state.worker.take_news();
   if (const auto found = state.worker.result(); found && found != state.shown) {
     state.shown = found;
+    state.rows_of.clear();
     if (found->listing) state.watch.watch(found->listing->watched);
   }
   if (state.watch.take_changed() && session.has_scene())
@@ -187,12 +167,11 @@ void shader_panel(Session& session, ShaderPanelState& state, Side side, Vec2i pi
   state.worker.request(request);
   const ShaderDraw* draw = shown_draw(state);
   if (draw) {
-    choose_part(state);
-    choose_file(state, *draw);
+    choose_stage(state);
     choose_draw(state);
-    choose_lines(state);
     draw = shown_draw(state);
     keep_rows(state, *draw);
+    go_to_file(state);
     same_line_if_room(px(160), px(16));
     ImGui::AlignTextToFramePadding();
     value_text("triangle", draw->id.object < 0 ? "shades the whole picture at once"
@@ -206,20 +185,19 @@ void shader_panel(Session& session, ShaderPanelState& state, Side side, Vec2i pi
     return;
   }
   ImGui::Spacing();
-  listing_code(state.rows, std::exchange(state.reveal, false));
+  listing_code(state.rows, std::exchange(state.reveal, false), state.marks);
 }
 
 void offer_shader_values(Values& out, const ShaderPanelState& state) {
   out.offer("listing/shader/draws", [&state] {
     return state.shown && state.shown->listing ? static_cast<int>(state.shown->listing->draws.size()) : 0;
   });
-  out.offer("listing/shader/file", [&state] {
+  out.offer("listing/shader/text", [&state] {
     const ShaderDraw* draw = shown_draw(state);
-    return draw ? shown_file(state, *draw).name : "";
+    return draw ? text_of(draw->shaders, state.stage).text : "";
   });
   out.offer("listing/shader/error", [&state] { return state.error; });
   out.offer("listing/shader/reloads", [&state] { return state.reloads; });
-  out.offer_below("listing/shader/value/", [&state](std::string_view name) { return uniform_of(state, name); });
 }
 
 }  // namespace ps::gui

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gui/base/values.h"
+#include "gui/panels/story/listing_marks.h"
 #include "gui/panels/story/shader_rows.h"
 #include "gui/session/session.h"
 #include "gui/work/file_watch.h"
@@ -57,14 +58,14 @@ struct ShaderPanelState {
   ShaderReload reload;
   int reloads = 0;
   std::string error;  ///< why the files on disk do not compile; those before are in use
-  int draw = 0, file = 0;
-  ShaderPart part = ShaderPart::fragment;
-  ShaderLinesShown lines = ShaderLinesShown::compiled;
+  int draw = 0;
+  ShaderStage stage = ShaderStage::fragment;
   std::shared_ptr<const ShadersFound> shown;
-  std::vector<ListingRow> rows;  ///< of the file that is shown
-  std::string rows_of;           ///< what they were made of
-  std::string opened;            ///< name of that file
-  bool reveal = false;           ///< the file is new: scroll to its first values
+  std::vector<ListingRow> rows;        ///< of the text that is shown
+  std::vector<ShaderFilePlace> files;  ///< in that text
+  std::string rows_of;                 ///< of which draw and stage; empty: to be made anew
+  LineMarks marks;                     ///< what the compiler says, and the row to look at first
+  bool reveal = false;                 ///< scroll to that row
 };
 
 /// Has the renderer shaders that can be shown?
@@ -74,7 +75,7 @@ bool has_shaders(const Settings& settings);
 void update_shaders(Session& session, ShaderPanelState& state);
 bool shaders_busy(const ShaderPanelState& state);
 
-/// The shaders that drew the picked pixel in one side's picture: which, and their lines with the values of uniforms.
+/// The shaders that drew the picked pixel in one side's picture, as the driver got them.
 void shader_panel(Session& session, ShaderPanelState& state, Side side, Vec2i pixel);
 
 /// What scripts may ask for below "listing/". The state must outlive the offers.

@@ -1,16 +1,49 @@
 #include "gui/panels/story/shader_rows.h"
 
+#include <algorithm>
 #include <optional>
+#include <sstream>
 
 #include "base/number_text.h"
 
 namespace ps::gui {
 namespace {
 
+/// A line of the text, and the place that messages give it.
+struct PlacedLine {
+  std::string text;
+  std::size_t file = 0;  ///< index into ShaderText::files
+  int number = 0;        ///< in that file, from 1; 0 = in none: before the first, or added to make them one text
+};
+
+/// Follows the lines "#line NUMBER FILE".
+std::vector<PlacedLine> placed_lines(const ShaderText& shader) {
+  constexpr std::string_view line_directive = "#line ";
+  std::vector<PlacedLine> lines;
+  std::istringstream text(shader.text);
+  std::size_t file = 0;
+  int next = 0;
+  for (std::string line; std::getline(text, line);) {
+    if (!line.starts_with(line_directive)) {
+      const bool guard = line.starts_with("#define INCLUDED_");
+      lines.push_back({std::move(line), file, guard ? 0 : next});
+      next += next > 0;
+      continue;
+    }
+    std::string_view place = std::string_view(line).substr(line_directive.size());
+    next = take_integer<int>(place).value_or(0);
+    place.remove_prefix(std::min<std::size_t>(1, place.size()));
+    file = take_integer<std::size_t>(place).value_or(0);
+    lines.push_back({std::move(line), file, 0});
+  }
+  return lines;
+}
+
 /// The number behind "lighting.glsl:" in a message.
 std::optional<int> line_in(std::string_view message, const std::string& file) {
   const std::size_t at = message.find(file + ":");
-  if (at == std::string_view::npos) return {};
+  const bool begins = at == 0 || (at != std::string_view::npos && message[at - 1] == ' ');  // not "volume_vertex.glsl:"
+  if (!begins) return {};
   std::string_view behind = message.substr(at + file.size() + 1);
   return take_integer<int>(behind);
 }
@@ -21,39 +54,42 @@ std::string_view without_place(std::string_view message) {
   return at == std::string_view::npos ? message : message.substr(at);
 }
 
-/// Does the line belong to what the program is made of? Of directives those that let the line behind them in.
-bool is_made_of(const std::vector<ShaderLine>& lines, std::size_t index) {
-  const ShaderLine& line = lines[index];
-  if (!line.compiled || line.text.starts_with("#endif") || line.text.starts_with("#else")) return false;
-  const bool condition = line.text.starts_with("#if") || line.text.starts_with("#elif");
-  return !condition || (index + 1 < lines.size() && lines[index + 1].compiled);
-}
-
 }  // namespace
 
-std::vector<ListingRow> shader_rows(const ShaderFile& file, ShaderLinesShown shown, std::string_view message) {
-  const std::optional<int> wrong = line_in(message, file.name);
+std::vector<ListingRow> shader_rows(const ShaderText& shader) {
   std::vector<ListingRow> rows;
-  for (std::size_t i = 0; i < file.lines.size(); ++i) {
-    const ShaderLine& line = file.lines[i];
-    if (shown == ShaderLinesShown::compiled && !is_made_of(file.lines, i) && line.number != wrong) continue;
-    if (shown == ShaderLinesShown::compiled && line.text.empty() && (rows.empty() || rows.back().text.empty()))
-      continue;
+  for (PlacedLine& line : placed_lines(shader)) {
     ListingRow row;
-    row.text = line.text;
-    row.number = line.number;
-    row.dimmed = !line.compiled;
-    for (const ShaderValue& value : line.values) row.values.push_back({value.name, value.value});
-    if (line.number == wrong) row.values.push_back({"on disk", std::string(without_place(message))});
+    row.number = static_cast<int>(rows.size()) + 1;
+    row.dimmed = line.text.starts_with("#line ");
+    row.text = std::move(line.text);
     rows.push_back(std::move(row));
   }
   return rows;
 }
 
-int file_of_message(const std::vector<ShaderFile>& files, std::string_view message) {
-  for (std::size_t i = 0; i < files.size(); ++i)
-    if (line_in(message, files[i].name)) return static_cast<int>(i);
-  return -1;
+std::vector<ShaderFilePlace> file_places(const ShaderText& shader) {
+  std::vector<ShaderFilePlace> places;
+  int row = 0;
+  for (const PlacedLine& line : placed_lines(shader)) {
+    ++row;
+    if (line.number != 1) continue;
+    const std::string& name = shader.files[line.file];
+    if (std::none_of(places.begin(), places.end(), [&](const ShaderFilePlace& place) { return place.name == name; }))
+      places.push_back({name, row});
+  }
+  return places;
+}
+
+std::map<int, std::string> shader_faults(const ShaderText& shader, std::string_view message) {
+  std::map<int, std::string> faults;
+  int row = 0;
+  for (const PlacedLine& line : placed_lines(shader)) {
+    ++row;
+    if (line.number > 0 && line_in(message, shader.files[line.file]) == line.number)
+      faults[row] = without_place(message);
+  }
+  return faults;
 }
 
 }  // namespace ps::gui

@@ -1,4 +1,6 @@
 #pragma once
+#include <map>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -7,17 +9,19 @@
 
 namespace ps::gui {
 
-/// Which lines of a shader are shown.
-enum class ShaderLinesShown {
-  compiled,  ///< those that this program is made of, with the conditions that let them in
-  whole      ///< all of the file
+/// The lines of a shader's text as rows of code, numbered from 1.
+std::vector<ListingRow> shader_rows(const ShaderText& shader);
+
+/// Where a file begins in the text.
+struct ShaderFilePlace {
+  std::string name;
+  int row = 0;  ///< number of its first row
 };
+/// All files in the order of the text, each once.
+std::vector<ShaderFilePlace> file_places(const ShaderText& shader);
 
-/// The lines of a shader file as rows of code. A compiler's message ("a shader does not compile: lighting.glsl:15(3):
-/// error: ...") is shown beside its line without its place, if it is about this file.
-std::vector<ListingRow> shader_rows(const ShaderFile& file, ShaderLinesShown shown, std::string_view message);
-
-/// Which of the files the message is about; -1 for none.
-int file_of_message(const std::vector<ShaderFile>& files, std::string_view message);
+/// What a compiler says of rows ("a shader does not compile: lighting.glsl:15(3): error: ..."), by their numbers and
+/// without its place; empty if the text does not have that line.
+std::map<int, std::string> shader_faults(const ShaderText& shader, std::string_view message);
 
 }  // namespace ps::gui
