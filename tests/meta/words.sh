@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Texts for users are in plain English and in the field's terms: none has a word of words.txt or a sentence of more than
-# 30 words (CONTRIBUTING.md, "Words").
+# 30 words (CONTRIBUTING.md, "Words"). In comments, the habits of comment_words.txt become rarer; `--write` counts them again.
 set -euo pipefail
 shopt -s globstar nullglob
 export LC_ALL=C
@@ -38,6 +38,25 @@ if found=$(check "$scratch/planted.bug") || [[ $found != "$scratch/planted.bug:1
 fi
 if found=$(check "$scratch/planted.md") || [[ $found != "$scratch/planted.md:"*"a sentence of 31 words"* ]]; then
   printf 'A planted sentence of 31 words gives:\n%s\n' "$found"
+  exit 1
+fi
+
+# count_habits: the lines of comment_words.txt with today's counts.
+count_habits() {
+  local pattern kept instead
+  grep -hoP '(^|[^:"])//[/<!]* ?\K.*' {core,app,chapters,tests}/**/*.{h,cpp,glsl} >"$scratch/comments"
+  while IFS=$'\t' read -r pattern kept instead; do
+    if [[ -n $kept ]]; then kept=$(grep -cP "$pattern" "$scratch/comments" || true); fi
+    printf '%s\n' "$pattern${kept:+$'\t'$kept$'\t'$instead}"
+  done <tests/meta/comment_words.txt
+}
+habits=$(count_habits)
+if [[ ${1:-} == --write ]]; then echo "$habits" >tests/meta/comment_words.txt; fi
+more=$(awk -F'\t' 'FNR == NR { kept[$1] = $2; next }
+  NF == 3 && $2 > kept[$1] { print "Comments: " $2 " lines match " $1 ", where " kept[$1] " did: write " $3 }' \
+  tests/meta/comment_words.txt - <<<"$habits")
+if [[ -n $more ]]; then
+  echo "$more"
   exit 1
 fi
 
