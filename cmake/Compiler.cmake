@@ -40,19 +40,21 @@ if(PIXELSCOPE_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
+# A compiler cache, where one is installed. It takes paths below the checkout as relative to it and leaves out the folder of
+# the build, so a clone in another folder finds what this one has compiled.
 if(PIXELSCOPE_USE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   find_program(PIXELSCOPE_CCACHE ccache)
   if(PIXELSCOPE_CCACHE)
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${PIXELSCOPE_CCACHE})
+    set(CMAKE_CXX_COMPILER_LAUNCHER
+        ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${PIXELSCOPE_CCACHE})
   endif()
 endif()
 
 # Once from nothing, 32 files at once are quicker; with a compiler cache, and after a change, files alone are.
-# Sanitized code is so slow to compile that it is never worth it.
-if(PIXELSCOPE_SANITIZE OR NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(unity_by_default ON)
-else()
+if(CMAKE_CXX_COMPILER_LAUNCHER)
   set(unity_by_default OFF)
+else()
+  set(unity_by_default ON)
 endif()
 option(PIXELSCOPE_UNITY "Compile 32 files of a target as one" ${unity_by_default})
 
