@@ -61,7 +61,7 @@ why The option Shadows is set to none in B.
 hide b
 ```
 
-> Compare the two pictures where the balls stand on the ground.
+> Compare the two pictures where the balls touch the ground: only A has shadows there.
 
 ## A question with a number
 
@@ -80,6 +80,47 @@ tolerance 600
 unit rays
 why The picture has 300 columns and 200 rows.
 ```
+
+> The line under picture A gives the number of all its rays.
+
+## An edit of the scene
+
+Lines that begin with `edit` change the scene for both pictures: a light, an object or the camera. The first light of this
+scene lights all surfaces alike. In this step it is off, so what faces away from the other lights is black.
+
+```settings
+edit light.0.intensity 0
+set-both shadows=none
+pixel 110,520
+```
+
+```claim
+text The red ball is black where it faces away from both other lights.
+metric red-a
+bound = 0
+mutation edit light.0.intensity 0.2
+```
+
+> Click around the outline of the red ball: the story says from which lights the surface faces away.
+
+## What an option costs
+
+The last step compares the work of A and B. A sends four rays for each pixel, B one, so the bound follows from the options
+alone. Take your bounds from such a formula or from a source, and name it in the text.
+
+```settings
+size 300x200
+set samples-per-pixel=4
+```
+
+```claim
+text A sends four times as many eye rays as B.
+metric counter-ratio eye-rays
+bound = 4
+mutation samples-per-pixel
+```
+
+> Zoom into an outline: A has pixels between the colour of the ball and that of the ground, B has none.
 )";
 
 }  // namespace

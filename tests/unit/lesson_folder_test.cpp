@@ -13,6 +13,7 @@
 #include "engine/handout.h"
 #include "engine/lesson_place.h"
 #include "image/file.h"
+#include "support/lesson_demands.h"
 #include "support/run_cli.h"
 #include "support/well_formed.h"
 
@@ -44,8 +45,10 @@ TEST(LessonFolder, TheTemplatePassesTheCheck) {
   const OwnLesson lesson;
   const auto checked = run_cli({"lessons", "check", lesson.path()});
   EXPECT_EQ(checked.status, 0) << checked.out << checked.err;
-  EXPECT_TRUE(checked.out.ends_with("1 claims, 2 questions, 0 bugs checked, 0 failed\n")) << checked.out;
+  EXPECT_TRUE(checked.out.ends_with("3 claims, 2 questions, 0 bugs checked, 0 failed\n")) << checked.out;
 }
+
+TEST(LessonFolder, TheTemplateHasWhatALessonNeeds) { test::expect_complete(load_lesson(OwnLesson().path())); }
 
 TEST(LessonFolder, NothingThatIsThereIsOverwritten) {
   const OwnLesson lesson;
@@ -78,7 +81,7 @@ TEST(LessonFolder, TheQuickCheckMeasuresClaimsAsTheyStand) {
   const auto quick = [](const OwnLesson& lesson) { return run_cli({"lessons", "check", lesson.path(), "--quick"}); };
   const auto fine = quick(OwnLesson());
   EXPECT_EQ(fine.status, 0) << fine.out << fine.err;
-  EXPECT_TRUE(fine.out.ends_with("1 claims, 0 questions, 0 bugs checked, 0 failed\n")) << fine.out;
+  EXPECT_TRUE(fine.out.ends_with("3 claims, 0 questions, 0 bugs checked, 0 failed\n")) << fine.out;
   EXPECT_EQ(quick(OwnLesson("mutation shadows", "mutation shadow-epsilon")).status, 0) << "mutations are left out";
   const auto false_claim = quick(OwnLesson("bound >= 20000", "bound >= 300000"));
   EXPECT_EQ(false_claim.status, 1);
@@ -173,9 +176,9 @@ TEST(LessonHandout, OnlyTheTeachersHasTheAnswers) {
   EXPECT_EQ(student.find("never asks whether a light is blocked"), std::string::npos);
   EXPECT_NE(teacher.find("never asks whether a light is blocked"), std::string::npos);
   EXPECT_NE(teacher.find("60,000 rays"), std::string::npos);
-  EXPECT_EQ(count_of(student, "<img "), 5u);  // B of the second step answers its question
+  EXPECT_EQ(count_of(student, "<img "), 9u);  // B of the second step answers its question
   EXPECT_EQ(count_of(student, "is shown in the program after your answer"), 1u);
-  EXPECT_EQ(count_of(teacher, "<img "), 6u);
+  EXPECT_EQ(count_of(teacher, "<img "), 10u);
 }
 
 TEST(LessonHandout, OnlyTheTeachersHasTheNotes) {
