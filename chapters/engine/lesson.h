@@ -10,7 +10,7 @@
 #include "engine/state.h"
 #include "engine/text.h"
 
-/// A lesson is a folder in chapters/ with a lesson.md; CONTRIBUTING.md describes its form.
+/// A lesson is a folder in chapters/ with a lesson.md; chapters/README.md describes its form.
 
 namespace ps {
 

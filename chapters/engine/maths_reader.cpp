@@ -227,7 +227,8 @@ class FormulaReader {
     for (const SignCommand& each : sign_commands()) known.push_back(each.name);
     const std::string_view similar = similar_word(name, known);
     refuse(at, fmt::format("the unknown command '\\{}'", shown_start(name)),
-           similar.empty() ? "a command of the notation (CONTRIBUTING.md lists them)" : fmt::format("'\\{}'", similar));
+           similar.empty() ? "a command of the notation (chapters/README.md lists them)"
+                           : fmt::format("'\\{}'", similar));
   }
 
   MathsNode read_fraction(std::string_view name) {

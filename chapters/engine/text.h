@@ -7,7 +7,7 @@
 #include "document/document.h"
 #include "engine/maths.h"
 
-/// The text of a lesson as a value: blocks of spans, without a widget. CONTRIBUTING.md describes how it is written.
+/// The text of a lesson as a value: blocks of spans, without a widget. chapters/README.md describes how it is written.
 
 namespace ps {
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Texts for users are in plain English and in the field's terms: none has a word of words.txt or a sentence of more than
-# 30 words (CONTRIBUTING.md, "Words"). In comments, the habits of comment_words.txt become rarer; `--write` counts them again.
+# 30 words (tests/meta/README.md, "Words"). In comments, the habits of comment_words.txt become rarer; `--write` counts them again.
 set -euo pipefail
 shopt -s globstar nullglob
 export LC_ALL=C
@@ -50,6 +50,14 @@ count_habits() {
     printf '%s\n' "$pattern${kept:+$'\t'$kept$'\t'$instead}"
   done <tests/meta/comment_words.txt
 }
+# The two pages that a person reads first are read at one sitting.
+for page in README.md CONTRIBUTING.md; do
+  if (($(wc -w <"$page") > 1200)); then
+    echo "$page has $(wc -w <"$page") words, expected at most 1200: move a part beside its code"
+    exit 1
+  fi
+done
+
 habits=$(count_habits)
 if [[ ${1:-} == --write ]]; then echo "$habits" >tests/meta/comment_words.txt; fi
 more=$(awk -F'\t' 'FNR == NR { kept[$1] = $2; next }
@@ -61,4 +69,4 @@ if [[ -n $more ]]; then
 fi
 
 check {core,app,chapters}/**/*.{h,cpp} chapters/*/bugs/*.bug {assets/scenes,chapters}/**/*.scene chapters/{,*/}*.md README.md \
-  {core,app,chapters}/**/README.md CONTRIBUTING.md assets/gallery/*.md {assets/*,tests/golden/reference}/ORIGIN.md
+  {core,app,chapters,tests}/**/README.md CONTRIBUTING.md assets/gallery/*.md {assets/*,tests/golden/reference}/ORIGIN.md

@@ -77,9 +77,10 @@ TEST(Maths, WritesMathMl) {
 
 TEST(Maths, NamesEachFaultWithItsPlace) {
   EXPECT_EQ(error_of("x + \\frc{1}{2}"), "lesson.md:7:15: found the unknown command '\\frc', expected '\\frac'");
-  EXPECT_EQ(error_of("x\n  + \\Qqqqqq"),
-            "lesson.md:8:5: found the unknown command '\\Qqqqqq', expected a command of the notation (CONTRIBUTING.md "
-            "lists them)");
+  EXPECT_EQ(
+      error_of("x\n  + \\Qqqqqq"),
+      "lesson.md:8:5: found the unknown command '\\Qqqqqq', expected a command of the notation (chapters/README.md "
+      "lists them)");
   EXPECT_EQ(error_of("N·L"), "lesson.md:7:12: found '·', expected '\\cdot'");
   EXPECT_EQ(error_of("2 * 3"), "lesson.md:7:13: found '*', expected '\\cdot'");
   EXPECT_EQ(error_of("{x"), "lesson.md:7:11: found '{' without its '}', expected '\\{' for the sign itself");

@@ -1,5 +1,5 @@
 // The table of what stability experiments are held to, tests/property/stability_figures/*.tsv: how it is read and
-// judged, what its rows may assert, and that README.md and assets/gallery/stability.md say the same.
+// judged, what its rows may assert, and that assets/gallery/stability.md says the same.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -222,11 +222,10 @@ std::string counts_text(const std::vector<StabilityFigure>& figures) {
   return fmt::format("{} rows: {}", with_comma(figures.size()), kinds);
 }
 
-TEST(StabilityPage, CountsInReadmeAndPageAreThoseOfTheTable) {
+TEST(StabilityPage, CountsAreThoseOfTheTable) {
   const std::string counts = counts_text(test::read_stability_figures());
-  for (const char* file : {"README.md", "assets/gallery/stability.md"})
-    EXPECT_NE(text_of(file).find(counts), std::string::npos)
-        << file << " should say '" << counts << "': run assets/gallery/make --stability";
+  EXPECT_NE(text_of("assets/gallery/stability.md").find(counts), std::string::npos)
+      << "the page should say '" << counts << "': run assets/gallery/make --stability";
 }
 
 /// Rows of the page, without its headings.
