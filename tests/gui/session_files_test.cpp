@@ -72,6 +72,33 @@ TEST_F(SessionFiles, AutosaveIsGoneAfterAProperEnd) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
+// A file in the folder's place fails as a full disk does, also for root.
+TEST_F(SessionFiles, AutosaveSaysThatItFailsAndTriesAgain) {
+  const std::filesystem::path folder = folder_ / "state";
+  Autosave autosave(folder);
+  autosave.save("scene=cgfs/shadows");
+  EXPECT_EQ(autosave.problem(), "");
+  for (int times = 0; times < 2; ++times) {
+    std::filesystem::remove_all(folder);
+    std::ofstream(folder) << "in the way";
+    autosave.save("scene=cgfs/lens");
+    EXPECT_NE(autosave.problem(), "");
+    autosave.save("scene=cgfs/lens");
+    EXPECT_NE(autosave.problem(), "") << "it fails as often as it is tried";
+    std::filesystem::remove(folder);
+    autosave.save("scene=cgfs/lens");
+    EXPECT_EQ(autosave.problem(), "");
+    autosave.save("scene=cgfs/crates");
+  }
+  Autosave never(folder_ / "other");
+  std::ofstream(folder_ / "other") << "in the way from the start";
+  never.save("scene=cgfs/lens");
+  EXPECT_NE(never.problem(), "");
+  std::filesystem::remove(folder_ / "other");
+  never.save("scene=cgfs/lens");
+  EXPECT_EQ(never.problem(), "");
+}
+
 /// As a program leaves its files that does not end properly.
 void leave_behind(const std::filesystem::path& folder, const std::string& text) {
   Autosave autosave(folder);

@@ -102,6 +102,17 @@ TEST(LessonFolder, AFaultIsNamedWithItsPlace) {
   }
 }
 
+TEST(LessonFolder, ATaskSaysThatAFoldersListingIsNotCompiled) {
+  const OwnLesson lesson;
+  const std::string file = lesson.path() + "/lesson.md", text = read_whole_file(file);
+  std::ofstream(file, std::ios::binary) << text << "\n```task\nwrite draw_line\n```\n";
+  std::ofstream(lesson.path() + "/listing.cpp") << "void draw_line() {}\n";
+  const auto refused = run_cli({"lessons", "show", lesson.path()});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(refused.err.find("beside it"), std::string::npos) << "one lies there: " << refused.err;
+  EXPECT_NE(refused.err.find("the program's own lessons"), std::string::npos) << refused.err;
+}
+
 TEST(LessonFolder, PlacesAreNamesFoldersAndSteps) {
   const OwnLesson lesson;
   const std::string path = lesson.path();

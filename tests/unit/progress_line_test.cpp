@@ -4,9 +4,13 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
+#include <csignal>
+
+#include "support/run_cli.h"
 
 namespace progress_line_test {
 namespace {
@@ -57,6 +61,33 @@ TEST(ProgressLine, WritesNothingIntoAPipe) {
   EXPECT_EQ(written(pipe_ends[0]), "");
   close(pipe_ends[0]);
   close(pipe_ends[1]);
+}
+
+// The command is ended as soon as it has said how far it is.
+TEST(ProgressLine, RenderShowsItOnATerminal) {
+  const int master = posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK);
+  if (master < 0 || grantpt(master) != 0 || unlockpt(master) != 0) GTEST_SKIP() << "there is no pseudo terminal here";
+  const int terminal = open(ptsname(master), O_RDWR | O_NOCTTY);
+  const test::ScratchFolder folder;
+  const std::string out = folder.file("out.png");
+  const pid_t child = fork();
+  if (child == 0) {
+    dup2(terminal, STDERR_FILENO);
+    execl(PIXELSCOPE_BIN_DIR "/pixelscope-cli", "pixelscope-cli", "render", "cgfs/reflections", "--size", "1500x1500",
+          "--set", "samples-per-pixel=4096", "--out", out.c_str(), nullptr);
+    _exit(127);
+  }
+  std::string text;
+  const auto begin = std::chrono::steady_clock::now();
+  while (text.find(" %") == std::string::npos && std::chrono::steady_clock::now() - begin < std::chrono::seconds(30)) {
+    usleep(20000);
+    text += written(master);
+  }
+  kill(child, SIGINT);
+  waitpid(child, nullptr, 0);
+  close(terminal);
+  close(master);
+  EXPECT_TRUE(text.starts_with("\rrendering ")) << text;
 }
 
 }  // namespace
