@@ -117,7 +117,7 @@ TEST(HardwareShadowVolumes, WithVerticesRoundedByTheDriverDifferOnEdgesAlone) {
 }
 
 /// Not octree/attenuation: 13 of its 90,000 pixels lie within 0.001 pixels of the diagonal of the floor, which is cut
-/// at the border of the picture (stated_causes_test.cpp), and its two triangles have one number.
+/// at the border of the picture, and its two triangles have one number.
 TEST(HardwareShadowVolumes, UnderFlatShading) {
   PS_NEEDS_HARDWARE(hardware);
   for (const char* scene : {"cgfs/shadows", "lab/inside-shadow"}) {
