@@ -6,7 +6,6 @@
 
 #include "cli/command.h"
 #include "cli/interrupt.h"
-#include "cli/print_stages.h"
 #include "cli/scene_arguments.h"
 #include "document/document_provenance.h"
 #include "number_option.h"
@@ -23,8 +22,6 @@ struct CausesArguments {
   std::string metric = "rmse";
   int orders = CauseRequest{}.orders;
   std::uint32_t seed = 1;
-  bool stages = false;
-  std::string picture;
   bool json = false;
 };
 
@@ -49,7 +46,6 @@ int run_causes(const CausesArguments& arguments) {
   const Document document = load_document(arguments.scene);
   Settings b = document.a.settings;
   for (const std::string& assignment : arguments.settings_b) parse_assignment(assignment, b);
-  if (arguments.stages) return print_stages(document, b, {arguments.picture, arguments.json});
   CauseRequest request;
   request.scene = document.scene;
   request.view = view_of(document);
@@ -97,11 +93,6 @@ void add_causes_command(CLI::App& app, Action& chosen) {
       ->check(whole_number_from(1, 10000));
   command->add_option("--seed", arguments->seed, "seed of the random orders")
       ->check(whole_number_from(0, std::numeric_limits<std::uint32_t>::max()));
-  CLI::Option* stages = command->add_flag("--stages", arguments->stages,
-                                          "divide it among coverage, depth test, clipping, interpolation, textures and "
-                                          "missing effects: hardware against the rasterizer");
-  command->add_option("--picture", arguments->picture, "with --stages: the pixels in the colours of their causes")
-      ->needs(stages);
   command->add_flag("--json", arguments->json, "as JSON");
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_causes(*arguments); }; });
 }

@@ -13,7 +13,6 @@ bool lights_separately(const PicturePlan& plan) {
 std::vector<DrawPass> draw_passes(const PicturePlan& plan) {
   using Kind = DrawPass::Kind;
   const Settings& s = plan.settings;
-  if (plan.only_geometry) return {{Kind::geometry}};
   if (!lights_separately(plan)) {
     if (plan.defers) return {{Kind::geometry}, {Kind::shade, -1, false, true}};
     if (raster::has_passes(s) && s.early_depth) return {{Kind::depth}, {Kind::shade, -1, false, true}};

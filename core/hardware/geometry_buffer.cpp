@@ -61,14 +61,4 @@ void GeometryBuffer::bind_textures(int first_unit) const {
   }
 }
 
-Image<Vec4f> GeometryBuffer::read(std::size_t number) const {
-  Image<Vec4f> pixels(shape_.width, shape_.height, Unfilled{});
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
-  glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(number));
-  glReadPixels(0, 0, shape_.width, shape_.height, GL_RGBA, GL_FLOAT, pixels.pixels().data());
-  check_gl("reading the buffers of deferred shading");
-  return pixels;
-}
-
 }  // namespace ps::hardware

@@ -23,8 +23,6 @@ class GeometryBuffer {
   void clear() const;
   /// Makes the textures those of the units from `first_unit` on, in the order of the outputs of fragment.glsl.
   void bind_textures(int first_unit) const;
-  /// A copy of one of them, row 0 at the top; where clear() has left "no surface" the fourth value of number 0 is -1.
-  Image<Vec4f> read(std::size_t number) const;
 
  private:
   void release();

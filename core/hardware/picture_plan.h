@@ -40,8 +40,7 @@ struct PicturePlan {
   bool counts_volumes = false;                                 ///< shadows are counted in a stencil buffer
   std::shared_ptr<const std::vector<std::vector<raster::ShadowVolume>>> volumes;  ///< by light, where it does
   bool defers = false;                                                            ///< shading
-  bool only_geometry = false;  ///< no picture, only what deferred shading would keep of it
-  double farthest = 1;         ///< camera z beyond which nothing lies
+  double farthest = 1;  ///< camera z beyond which nothing lies
   std::optional<TileRect> region;
 
   bool perspective() const { return settings.projection == Projection::perspective; }

@@ -5,7 +5,6 @@
 #include "hardware/machinery.h"
 #include "hardware/render_hardware.h"
 #include "hardware/shader_listing.h"
-#include "hardware/stage_values.h"
 #include "raster/setup/left_out.h"
 
 namespace ps {
@@ -54,7 +53,6 @@ RendererRow hardware_renderer_row() {
           .left_out = left_out,
           .shows_objects = shows_objects,
           .subject = [](const SceneTraits&, const Settings&) { return std::string("the hardware renderer"); },
-          .stage_values = hardware::stage_values,
           .shaders = hardware::list_shaders,
           .reload_shaders = hardware::reload_shaders};
 }

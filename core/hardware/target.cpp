@@ -228,25 +228,4 @@ void Target::read(Frame& frame) const {
   }
 }
 
-Image<PixelId> Target::read_ids() const {
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, shape_.samples > 1 ? resolved_.framebuffer : drawn_.framebuffer);
-  glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  const auto values = read_pixels<std::array<std::int32_t, 4>>(1, shape_, GL_RGBA_INTEGER, GL_INT);
-  check_gl("reading which triangles are seen");
-  Image<PixelId> ids(shape_.width, shape_.height, Unfilled{});
-  std::transform(values.begin(), values.end(), ids.pixels().begin(), [](const std::array<std::int32_t, 4>& value) {
-    return PixelId{value[0], value[1]};
-  });
-  return ids;
-}
-
-Image<float> Target::read_depth() const {
-  Image<float> depths(shape_.width, shape_.height, Unfilled{});
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.framebuffer);
-  glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  glReadPixels(0, 0, shape_.width, shape_.height, GL_DEPTH_COMPONENT, GL_FLOAT, depths.pixels().data());
-  check_gl("reading the depth buffer");
-  return depths;
-}
-
 }  // namespace ps::hardware

@@ -57,10 +57,6 @@ class Target {
   unsigned channel_samples(std::size_t channel) const { return drawn_.textures[channel]; }
   /// Copies what was drawn, and resolved, to the frame's channels.
   void read(Frame& frame) const;
-  /// Copies which triangle each pixel shows, of a target with channels.
-  Image<PixelId> read_ids() const;
-  /// Copies the depth buffer, 0 to 1, of a target with one sample per pixel.
-  Image<float> read_depth() const;
 
  private:
   static constexpr std::size_t most_pictures = 4;

@@ -15,7 +15,6 @@
 
 namespace ps {
 
-struct StageValues;    // raster/stage_values.h
 struct ShaderListing;  // record/shader_listing.h
 
 /// A renderer, as everything above the renderers knows it: one row of the table in render/renderer_table.h. All
@@ -49,9 +48,6 @@ struct RendererRow {
   /// that it lacks.
   SlowFrame (*slow_motion)(const Scene& scene, const View& view, const Settings& settings, const SlowMotion& motion,
                            const RenderRequest& request, Prepared& prepared, Progress& progress) = nullptr;
-  /// What it has after each of its stages, or nullptr: it does not give that. Throws as render() does.
-  std::shared_ptr<const StageValues> (*stage_values)(const Scene& scene, const View& view, const Settings& settings,
-                                                     Prepared& prepared, Progress& progress) = nullptr;
   /// The shaders that drew a pixel, or nullptr: it has none. Throws as render() does.
   std::shared_ptr<const ShaderListing> (*shaders)(const Scene& scene, const View& view, const Settings& settings,
                                                   Vec2i pixel, Prepared& prepared, Progress& progress) = nullptr;

@@ -8,7 +8,7 @@
 #include "options/renderer_kind.h"
 #include "options/scene_settings.h"
 #include "render/render.h"
-#include "study/stage_causes.h"
+#include "render/renderer_table.h"
 
 namespace ps::bench {
 namespace {
@@ -62,7 +62,7 @@ Job story_job(Renderer hardware, const std::vector<std::string>& assignments) {
 }  // namespace
 
 Benches hardware_story_benches() {
-  const auto hardware = renderer_with_stages();
+  const auto hardware = driver_renderer();
   if (!hardware) return {};
   const RendererKind& kind = renderer_kind(*hardware);
   if (kind.inactive && kind.inactive({}, {})) return {};

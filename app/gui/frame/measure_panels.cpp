@@ -4,7 +4,6 @@
 
 #include "base/kept_inputs.h"
 #include "gui/frame/file_questions.h"
-#include "gui/frame/show_panel.h"
 #include "gui/panels/studies/timings_panel.h"
 #include "scene/load.h"
 
@@ -137,17 +136,12 @@ Panel why(Session& session, PanelStates& my) {
           .heading = "WHY",
           .brief = "Why",
           .command = "Why: what makes A and B differ",
-          .help = "Which option or stage makes A and B differ, and which pixels float gets wrong.",
+          .help = "Which option makes A and B differ, and which pixels float gets wrong.",
           .draw = [&](const Context& context) { return why_tab(session, my.why, context.filled); },
-          .actions =
-              [&](Actions& to) {
-                add_why_actions(to, session, my.why, [&] { show_tool(session, my.lessons.column, tool_names::why); });
-              },
           .publish = [&](Values& out) { offer_why_values(out, my.why); },
           .update =
               [&] {
                 hold_while_rendering(session, my.why.causes);
-                hold_while_rendering(session, my.why.stages);
                 update_why(my.why);
               },
           .busy = [&] { return my.why.running(); },

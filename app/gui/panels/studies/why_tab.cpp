@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "gui/widgets/widgets.h"
-#include "options/renderer_kind.h"
 
 namespace ps::gui {
 namespace {
@@ -41,54 +40,12 @@ void find_faults(Session& session, WhyTabState& state) {
       });
 }
 
-void find_stages(Session& session, WhyTabState& state) {
-  auto found = std::make_shared<StagesFound>();
-  found->compared = {session.settings(Side::a), session.settings(Side::b)};
-  state.split = nullptr;
-  state.stages.start(
-      [found, request = stage_request(session.scene(), session.view(), found->compared[0], found->compared[1])](
-          StudyControl& control, const StagesStudy::Publish& publish) {
-        found->split = split_by_stage(request, control, [&](const StudyStatus& status) { publish(nullptr, status); });
-        found->picture = stage_picture(found->split);
-        publish(found, {1, 1, 0});
-      });
-}
-
-/// A drawn by the rasterizer, and B as A by the renderer that gives the values of its stages.
-void set_up_stages(Session& session, Renderer other) {
-  session.edit("Rasterizer against hardware", [&](Document& document) {
-    document.a.settings.renderer = renderer_for(PictureWay::fragments);
-    document.b.settings = document.a.settings;
-    document.b.settings.renderer = other;
-  });
-}
-
 void shown_choice(WhyTabState& state) {
   static constexpr std::array views{
       Choice{"causes", "Causes", "How much of the difference between A and B each option causes."},
-      Choice{"precision", "Precision", "Which pixels differ from a rendering in double."},
-      Choice{"stages", "Stages", "At which stage of drawing triangles hardware and rasterizer part."}};
+      Choice{"precision", "Precision", "Which pixels differ from a rendering in double."}};
   int shown = static_cast<int>(state.shown);
-  if (choice("shown", views, shown, {.width = px(270)})) state.shown = static_cast<WhyTabState::Shown>(shown);
-}
-
-void stages_buttons(Session& session, WhyTabState& state) {
-  if (state.stages.running()) {
-    if (button("cancel", "Stop", Emphasis::plain, {.width = px(82)})) state.stages.cancel();
-    return;
-  }
-  const auto reason = why_no_stages(session.traits(), session.settings(Side::a), session.settings(Side::b));
-  if (button("find", "Find out", Emphasis::primary,
-             {.tooltip = "Draws pixels that differ again, with values of single stages taken from the driver.",
-              .disabled = reason.value_or(""),
-              .width = px(82)}))
-    find_stages(session, state);
-  const auto other = renderer_with_stages();
-  if (!reason || !other) return;
-  same_line_if_room(button_width("Set up"), px(6));
-  if (button("set-up", "Set up", Emphasis::plain,
-             {.tooltip = "Draws A by the rasterizer, and B with the same options by the graphics driver."}))
-    set_up_stages(session, *other);
+  if (choice("shown", views, shown, {.width = px(180)})) state.shown = static_cast<WhyTabState::Shown>(shown);
 }
 
 void causes_buttons(Session& session, WhyTabState& state) {
@@ -133,9 +90,6 @@ bool why_tab(Session& session, WhyTabState& state, bool filled) {
   case WhyTabState::Shown::precision:
     precision_buttons(session, state);
     break;
-  case WhyTabState::Shown::stages:
-    stages_buttons(session, state);
-    break;
   }
   same_line_if_room(button_width("Fill"), px(6));
   const bool fill = button_on_off("fill", "Fill", filled, {.tooltip = "Shows this table in the whole window (Esc)."});
@@ -147,9 +101,6 @@ bool why_tab(Session& session, WhyTabState& state, bool filled) {
   case WhyTabState::Shown::precision:
     precision_view(session, state);
     break;
-  case WhyTabState::Shown::stages:
-    stages_view(session, state);
-    break;
   }
   ImGui::EndChild();
   return fill;
@@ -157,20 +108,7 @@ bool why_tab(Session& session, WhyTabState& state, bool filled) {
 
 std::string why_status(const WhyTabState& state) {
   if (state.causes.running()) return "Causes: rendering pictures between A and B";
-  if (state.stages.running()) return "Stages: drawing pixels again";
   return state.precision.running() ? "Precision: rendering in double" : "";
-}
-
-void add_why_actions(Actions& actions, Session& session, WhyTabState& state, std::function<void()> show) {
-  actions.add({.name = "why-stages",
-               .label = "Stages: where hardware and rasterizer part",
-               .group = "Study",
-               .run =
-                   [&state, show = std::move(show)] {
-                     state.shown = WhyTabState::Shown::stages;
-                     show();
-                   },
-               .enabled = [&session] { return session.has_scene(); }});
 }
 
 std::string fault_key(PrecisionFault fault) {
@@ -179,18 +117,7 @@ std::string fault_key(PrecisionFault fault) {
   return key;
 }
 
-std::string stage_key(StageCause cause) {
-  std::string key(stage_cause_label(cause));
-  std::replace(key.begin(), key.end(), ' ', '-');
-  return key;
-}
-
 void update_why(WhyTabState& state) {
-  if (const auto split = state.stages.found(); split && split != state.split) {
-    state.split = split;
-    state.stages_texture.upload(split->picture);
-    state.stages_texture.set_shrunk(true);
-  }
   if (const auto found = state.causes.found()) state.difference = found;
   const auto map = state.precision.found();
   if (!map || map == state.map) return;
@@ -216,14 +143,6 @@ std::optional<std::string> fault_value(const WhyTabState& state, std::string_vie
   return {};
 }
 
-std::optional<std::string> stage_value(const WhyTabState& state, std::string_view key) {
-  if (!state.split) return {};
-  if (key == "whole") return std::to_string(state.split->split.whole.pixels);
-  for (std::size_t i = 1; i < stage_cause_count; ++i)
-    if (stage_key(static_cast<StageCause>(i)) == key) return std::to_string(state.split->split.shares[i].pixels);
-  return {};
-}
-
 }  // namespace
 
 void offer_why_values(Values& out, const WhyTabState& state) {
@@ -232,7 +151,6 @@ void offer_why_values(Values& out, const WhyTabState& state) {
     return state.difference && rest.empty() ? std::optional(script_text(state.difference->total)) : std::nullopt;
   });
   out.offer_below("why/share/", [&state](std::string_view option) { return share_value(state, option); });
-  out.offer_below("why/stages/", [&state](std::string_view key) { return stage_value(state, key); });
   out.offer_below("why/faults/", [&state](std::string_view key) { return fault_value(state, key); });
 }
 

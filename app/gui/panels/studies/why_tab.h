@@ -5,13 +5,11 @@
 #include <string>
 
 #include "gui/base/values.h"
-#include "gui/input/actions.h"
 #include "gui/platform/texture.h"
 #include "gui/session/session.h"
 #include "gui/work/background_study.h"
 #include "study/difference_by_cause.h"
 #include "study/precision_map.h"
-#include "study/stage_causes.h"
 
 namespace ps::gui {
 
@@ -22,57 +20,40 @@ struct PrecisionFound {
   PrecisionMap map;
   Image<Rgb8> faults, gaps;  ///< pictures of the map
 };
-/// Which stage makes the pixels of two renderers differ, with the settings that it was measured for.
-struct StagesFound {
-  std::array<Settings, 2> compared;
-  StageSplit split;
-  Image<Rgb8> picture;
-};
-using StagesStudy = BackgroundStudy<StagesFound>;
 using CausesStudy = BackgroundStudy<DifferenceByCause>;
 using PrecisionStudy = BackgroundStudy<PrecisionFound>;
 
 /// What the tab remembers of itself.
 struct WhyTabState {
-  explicit WhyTabState(const std::function<void()>& wake) : causes(wake), precision(wake), stages(wake) {}
+  explicit WhyTabState(const std::function<void()>& wake) : causes(wake), precision(wake) {}
 
-  enum class Shown { causes, precision, stages } shown = Shown::causes;
+  enum class Shown { causes, precision } shown = Shown::causes;
   Side side = Side::a;                                  ///< whose precision is looked at
   std::array<Settings, 2> compared;                     ///< the settings that the causes are about
   std::shared_ptr<const DifferenceByCause> difference;  ///< the newest
   std::shared_ptr<const PrecisionFound> map;            ///< what the textures were made from
   std::array<Texture, 2> textures;                      ///< faults, gaps
-  std::shared_ptr<const StagesFound> split;             ///< what the next texture was made from
-  Texture stages_texture;
 
   CausesStudy causes;
   PrecisionStudy precision;
-  StagesStudy stages;
 
-  bool running() const { return causes.running() || precision.running() || stages.running(); }
+  bool running() const { return causes.running() || precision.running(); }
 };
 
-/// Why the pictures differ: which option is to blame for how much, what float gets wrong, and
-/// at which stage hardware and rasterizer part. `filled`: it has the
+/// Why the pictures differ: which option is to blame for how much, and what float gets wrong. `filled`: it has the
 /// whole window; answers whether that shall change.
 bool why_tab(Session& session, WhyTabState& state, bool filled);
 void update_why(WhyTabState& state);
 /// What it is working at, for the line at the lower edge.
 std::string why_status(const WhyTabState& state);
-/// `show` opens the tab.
-void add_why_actions(Actions& actions, Session& session, WhyTabState& state, std::function<void()> show);
 /// What scripts may ask for. The state must outlive the offers.
 void offer_why_values(Values& out, const WhyTabState& state);
 
 /// "wrong-winner": how scripts name a fault.
 std::string fault_key(PrecisionFault fault);
 
-/// "depth-tie": how scripts name a cause.
-std::string stage_key(StageCause cause);
-
 // --- the views ---
 void causes_view(const Session& session, const WhyTabState& state);
 void precision_view(Session& session, WhyTabState& state);
-void stages_view(Session& session, WhyTabState& state);
 
 }  // namespace ps::gui
