@@ -13,8 +13,9 @@ namespace {
 
 /// A listing reads what it says; the choice of listing, the display and the machine act for all of them.
 std::optional<bool> listing_uses(const Option& option, const Settings& settings, const SceneTraits& traits) {
+  if (listing_reads(listing_of(settings, traits), option.key)) return true;
   if (option.effect != OptionEffect::picture || acts_for(option.acts_for, PictureWay::listing)) return {};
-  return listing_reads(listing_of(settings, traits), option.key);
+  return false;
 }
 
 /// In the order of the enum Renderer, then those that were added.

@@ -461,6 +461,24 @@ TEST(Listing, OptionsThatItDoesNotReadAreGreyed) {
   EXPECT_TRUE(inactive_reason(*find_option("shading"), settings, traits));
 }
 
+/// Also one of the machine, as the limit of an octree's leaves is for the ray tracer.
+TEST(Listing, EveryOptionThatItReadsActs) {
+  const SceneTraits traits = scene_traits(load_scene("cgfs/cubes"));
+  std::size_t read = 0;
+  for (std::size_t i = 0; i < listings().size(); ++i) {
+    Settings settings;
+    settings.renderer = Renderer::textbook;
+    settings.listing = static_cast<int>(i) + 1;
+    for (const std::string_view key : listings()[i].listing->reads) {
+      EXPECT_FALSE(inactive_reason(*find_option(key), settings, traits)) << listings()[i].folder << " " << key;
+      ++read;
+    }
+    EXPECT_EQ(inactive_reason(*find_option("octree-leaf"), settings, traits).has_value(),
+              !listing_reads(listings()[i], "octree-leaf"));
+  }
+  EXPECT_GT(read, 10u);
+}
+
 TEST(Listing, CommandLinePrintsLinesWithValues) {
   const auto text = test::run_cli({"inspect", "cgfs/spheres", "--pixel", "300,299", "--set", "renderer=textbook"});
   ASSERT_EQ(text.status, 0) << text.err;
