@@ -9,7 +9,7 @@
 namespace ps {
 namespace {
 
-constexpr std::size_t longest_typed = 64;  // letters; nobody mistypes a longer word
+constexpr std::size_t longest_typed = 64;  // letters; a longer word is not a typing error
 
 }  // namespace
 

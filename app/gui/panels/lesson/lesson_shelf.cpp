@@ -82,7 +82,7 @@ void follow_column(const Session& session, LessonShelf& shelf) {
   const Document& document = session.document();
   LessonColumn& column = shelf.column;
   const bool same_step = column.lesson == document.lesson && column.step == document.step;
-  // Undo, and a step that is put back, have a stage too, but nobody chose it.
+  // Undo, and a step that is put back, have a stage too, but it was not chosen.
   const bool chosen = column.stage != document.layout.stage && column.change == session.change();
   if (!same_step || shelf.turn_to_verdict || !shelf.shown_option.empty())
     column.shows = ColumnShows::text;

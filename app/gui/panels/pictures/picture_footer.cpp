@@ -40,7 +40,7 @@ std::shared_ptr<const RenderResult> beside(Session& session, Side side) {
   return session.renderer(other_side(side)).result();
 }
 
-/// The median of warm runs; until there is one, a single run where it can mislead nobody.
+/// The median of warm runs; until there is one, a single run where it cannot mislead.
 FooterItem time_item(Session& session, Side side, const RenderResult& result) {
   if (const TimedPicture* timed = session.timed().find(result.request))
     return {time_name, warm_time_text(timed->ms),
@@ -103,7 +103,7 @@ struct Slot {
   float width = 0;
 };
 
-/// The items in lines, one after the other; nothing if they need more lines than there are.
+/// The items in lines, one after the other; nullopt if they need more lines than there are.
 std::optional<std::vector<Slot>> in_slots(const std::vector<float>& widths, const Area& row,
                                           const FooterMeasures& measures) {
   std::vector<Slot> slots;
