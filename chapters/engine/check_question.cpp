@@ -113,7 +113,10 @@ std::string check_question(const LessonQuestion& question, Progress& progress, s
   const MeasuredAnswer answer = measure_answer(question, progress, pictures);
   if (question.kind == AskKind::click) return check_places(answer.places, found);
   found = with_unit(answer.value, question.unit);
-  if (question.kind == AskKind::choice) return check_choices(question, answer.value);
+  if (question.kind == AskKind::choice) {
+    found += fmt::format(", choice {} of {}", right_choice(question, answer.value) + 1, question.choices.size());
+    return check_choices(question, answer.value);
+  }
   return std::isfinite(answer.value) ? "" : "the answer is not a finite number";
 }
 

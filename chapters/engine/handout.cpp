@@ -92,9 +92,9 @@ std::string claims(const std::vector<Claim>& claims, Progress& progress) {
   for (const Claim& claim : claims) {
     const ClaimResult result = check_claim(claim, progress);
     html += fmt::format("<tr><td>{}</td><td>{}: {}</td><td>{}</td><td>{}: {}</td></tr>\n", xml_escaped(claim.text),
-                        xml_escaped(metric_words(claim.metric)), measured_text(result.value),
-                        xml_escaped(bound_words(claim.bound)), xml_escaped(claim.mutation.words),
-                        measured_text(result.mutated_value));
+                        xml_escaped(metric_words(claim.metric)), value_words(claim.metric, result.value),
+                        xml_escaped(demand_words(claim.metric, claim.bound)), xml_escaped(claim.mutation.words),
+                        value_words(claim.mutation.metric, result.mutated_value));
   }
   return html + "</table>\n";
 }

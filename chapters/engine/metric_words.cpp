@@ -58,7 +58,7 @@ std::string metric_words(const Metric& metric) {
   case MetricKind::triangle:
     return fmt::format("index of the triangle at {}'s picked pixel", letter_of(metric));
   case MetricKind::winner:
-    return fmt::format("{}'s picked pixel shows {} (1 = yes)", letter_of(metric), metric.name);
+    return fmt::format("{}'s picked pixel shows {}", letter_of(metric), metric.name);
   case MetricKind::experiment:
     return fmt::format("{} ({}) at {} in the experiment '{}'", metric.series,
                        metric.method == StudyMethod::naive ? "naive" : "robust", number_text(metric.knob),
@@ -78,6 +78,16 @@ std::string bound_words(const Bound& bound) {
                                : measured_text(bound.number);
   }
   return {};
+}
+
+std::string value_words(const Metric& metric, double value) {
+  if (metric.kind != MetricKind::winner) return measured_text(value);
+  return value == 0 ? "no" : "yes";
+}
+
+std::string demand_words(const Metric& metric, const Bound& bound) {
+  if (metric.kind != MetricKind::winner) return bound_words(bound);
+  return bound.holds(1) ? "yes" : "no";
 }
 
 std::string measured_text(double value) {
