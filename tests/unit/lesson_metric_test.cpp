@@ -214,6 +214,17 @@ TEST(LessonMetric, MeasuredNumbersAreReadable) {
   EXPECT_EQ(bound_words(parse_bound("= 0.5 +- 0.1")), "0.5 ± 0.1");
 }
 
+TEST(LessonMetric, AWinnerIsMeasuredAsYesOrNo) {
+  const Metric winner = parse_metric("winner-a red sphere"), level = parse_metric("red-a");
+  EXPECT_EQ(metric_words(winner), "A's picked pixel shows red sphere");
+  EXPECT_EQ(value_words(winner, 1), "yes");
+  EXPECT_EQ(value_words(winner, 0), "no");
+  EXPECT_EQ(value_words(level, 1), "1");
+  EXPECT_EQ(demand_words(winner, parse_bound("= 1")), "yes");
+  EXPECT_EQ(demand_words(winner, parse_bound("= 0")), "no");
+  EXPECT_EQ(demand_words(level, parse_bound(">= 1")), "at least 1");
+}
+
 /// The claim of a step with these lines and this mutation.
 Claim claim_with(const std::string& lines) {
   return parse_lesson("# T\nsource: s\n\n## One\n\n```settings\nscene cgfs/shadows\nset-both renderer=ray-tracer\n"
