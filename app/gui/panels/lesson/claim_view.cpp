@@ -41,9 +41,8 @@ std::string sentence(const LessonClaims& claims, std::size_t claim) {
   std::string what = metric_words(metric);
   what.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(what.front())));
   const auto value = claims.value(claim);
-  std::string text =
-      fmt::format("{}: {}, claimed: {}.", what, value ? value_words(metric, *value) : "...",
-                  demand_words(metric, of.bound));
+  std::string text = fmt::format("{}: {}, claimed: {}.", what, value ? value_words(metric, *value) : "...",
+                                 demand_words(metric, of.bound));
   if (const std::string trouble = claims.trouble(claim); !trouble.empty()) text += " " + trouble;
   if (claims.shown(claim) == ClaimShown::mutation && !of.mutation.changes_metric)
     text += fmt::format(" Now with {}.", of.mutation.words);
