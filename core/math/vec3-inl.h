@@ -74,6 +74,27 @@ HWY_INLINE LaneFactors<D> factors_for_squares(hn::Vec<D> square) {
   return {hn::IfThenElse(small, hn::Set(d, Squares::up), hn::IfThenElse(large, hn::Set(d, Squares::down), one)), false};
 }
 
+/// Vectors with their lengths. Where a square is too small or too large, both are those of a vector brought near 1.
+template <class D>
+struct MeasuredLanes {
+  Vec3Lanes<D> vector;
+  hn::Vec<D> length;
+};
+template <class D>
+HWY_INLINE MeasuredLanes<D> measured(const Vec3Lanes<D>& a) {
+  const hn::Vec<D> square = dot(a, a);
+  const LaneFactors<D> factors = factors_for_squares<D>(square);
+  if (HWY_LIKELY(factors.all_one)) return {a, hn::Sqrt(square)};
+  const Vec3Lanes<D> near_one = scale(a, factors.factor);
+  return {near_one, hn::Sqrt(dot(near_one, near_one))};
+}
+
+/// Lane by lane.
+template <class D>
+HWY_INLINE Vec3Lanes<D> choose(hn::Mask<D> mask, const Vec3Lanes<D>& yes, const Vec3Lanes<D>& no) {
+  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
+}
+
 // length_of(), unit_of(), unit_or_zero() and normalised() of math/unit.h.
 template <class D>
 HWY_INLINE hn::Vec<D> length_of(const Vec3Lanes<D>& a) {
@@ -85,34 +106,18 @@ HWY_INLINE hn::Vec<D> length_of(const Vec3Lanes<D>& a) {
 }
 template <class D>
 HWY_INLINE Vec3Lanes<D> unit_of(const Vec3Lanes<D>& a) {
-  const hn::Vec<D> square = dot(a, a);
-  const LaneFactors<D> factors = factors_for_squares<D>(square);
-  if (HWY_LIKELY(factors.all_one)) return divide(a, hn::Sqrt(square));
-  const Vec3Lanes<D> near_one = scale(a, factors.factor);
-  return divide(near_one, hn::Sqrt(dot(near_one, near_one)));
-}
-/// Lane by lane.
-template <class D>
-HWY_INLINE Vec3Lanes<D> choose(hn::Mask<D> mask, const Vec3Lanes<D>& yes, const Vec3Lanes<D>& no) {
-  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
+  const MeasuredLanes<D> of_a = measured(a);
+  return divide(of_a.vector, of_a.length);
 }
 template <class D>
 HWY_INLINE Vec3Lanes<D> unit_or_zero(const Vec3Lanes<D>& a) {
-  const hn::Vec<D> square = dot(a, a);
-  const LaneFactors<D> factors = factors_for_squares<D>(square);
-  if (HWY_LIKELY(factors.all_one)) return divide(a, hn::Sqrt(square));
-  const Vec3Lanes<D> near_one = scale(a, factors.factor);
-  const hn::Vec<D> size = hn::Sqrt(dot(near_one, near_one));
-  return choose(hn::Gt(size, hn::Zero(D())), divide(near_one, size), a);
+  const MeasuredLanes<D> of_a = measured(a);
+  return choose(hn::Gt(of_a.length, hn::Zero(D())), divide(of_a.vector, of_a.length), a);
 }
 template <class D>
 HWY_INLINE Vec3Lanes<D> normalised(const Vec3Lanes<D>& a) {
-  const D d;
-  const hn::Vec<D> square = dot(a, a);
-  const LaneFactors<D> factors = factors_for_squares<D>(square);
-  if (HWY_LIKELY(factors.all_one)) return scale(a, hn::Div(hn::Set(d, 1), hn::Sqrt(square)));
-  const Vec3Lanes<D> near_one = scale(a, factors.factor);
-  return scale(near_one, hn::Div(hn::Set(d, 1), hn::Sqrt(dot(near_one, near_one))));
+  const MeasuredLanes<D> of_a = measured(a);
+  return scale(of_a.vector, hn::Div(hn::Set(D(), 1), of_a.length));
 }
 
 }  // namespace ps::HWY_NAMESPACE

@@ -40,20 +40,11 @@ const InPlaceOfMaximum in_place_of_maximum[] = {
 
 /// All choices; of a number the smallest value, the default and the largest.
 std::vector<OptionNumber> tried_values(const Option& option) {
-  std::vector<OptionNumber> values;
-  switch (option.kind) {
-  case OptionKind::boolean:
-    return {0, 1};
-  case OptionKind::choice:
-    for (std::size_t i = 0; i < option.choices.size(); ++i) values.push_back(static_cast<OptionNumber>(i));
-    return values;
-  case OptionKind::integer:
-  case OptionKind::real:
-    break;
-  }
-  values = {option.minimum, option.default_value(), option.maximum};
+  std::vector<OptionNumber> values = test::values_of(option);
+  if (option.kind == OptionKind::boolean || option.kind == OptionKind::choice) return values;
   for (const InPlaceOfMaximum& other : in_place_of_maximum)
     if (other.option == option.key) values.back() = other.value;
+  values.push_back(option.default_value());
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;

@@ -12,6 +12,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/bare_scene.h"
+#include "support/option_contexts.h"
 #include "support/trials.h"
 
 namespace ps::bare_scenes_test {
@@ -22,20 +23,9 @@ constexpr int parts = 16;
 
 /// All choices; the ends of a range, but for the largest values that cost a second and change no code path.
 std::vector<OptionNumber> values_to_try(const Option& option) {
-  std::vector<OptionNumber> values;
-  switch (option.kind) {
-  case OptionKind::boolean:
-    return {0, 1};
-  case OptionKind::choice:
-    for (std::size_t i = 0; i < option.choices.size(); ++i) values.push_back(static_cast<OptionNumber>(i));
-    return values;
-  case OptionKind::integer:
-  case OptionKind::real:
-    break;
-  }
   for (const std::string_view large : {"samples-per-pixel", "shadow-map-size", "environment-size", "threads"})
     if (option.key == large) return {option.minimum};
-  return {option.minimum, option.maximum};
+  return test::values_of(option);
 }
 
 /// What is always small.

@@ -23,17 +23,29 @@ Outcome outcome(const Scene& scene, int width, int height, const Settings& setti
 
 std::vector<double> other_values(const Option& option, const Settings& settings) {
   const double now = option.get(settings);
-  std::vector<double> values;
-  if (option.kind == OptionKind::boolean) return {1 - now};
-  if (option.kind == OptionKind::choice)
-    for (std::size_t i = 0; i < option.choices.size(); ++i) values.push_back(static_cast<double>(i));
-  else
-    values = {std::clamp(now * 2 + 1, option.minimum, option.maximum), option.minimum, option.maximum};
+  std::vector<double> values = values_of(option);
+  if (option.kind == OptionKind::integer || option.kind == OptionKind::real)
+    values.insert(values.begin(), std::clamp(now * 2 + 1, option.minimum, option.maximum));
   std::erase(values, now);
   return values;
 }
 
 }  // namespace
+
+std::vector<OptionNumber> values_of(const Option& option) {
+  std::vector<OptionNumber> values;
+  switch (option.kind) {
+  case OptionKind::boolean:
+    return {0, 1};
+  case OptionKind::choice:
+    for (std::size_t i = 0; i < option.choices.size(); ++i) values.push_back(static_cast<OptionNumber>(i));
+    return values;
+  case OptionKind::integer:
+  case OptionKind::real:
+    break;
+  }
+  return {option.minimum, option.maximum};
+}
 
 bool has_renderer(std::string_view key) {
   for (const RendererKind& kind : renderer_kinds())

@@ -10,6 +10,9 @@
 
 namespace ps::test {
 
+/// All choices of an option; of a number the ends of its range.
+std::vector<OptionNumber> values_of(const Option& option);
+
 /// A scene that the programs can open, and settings under which some options can act.
 struct OptionContext {
   std::string scene;  ///< a built-in name or a path

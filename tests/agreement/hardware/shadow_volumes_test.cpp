@@ -16,7 +16,7 @@
 namespace ps {
 namespace {
 
-constexpr int side = 300;
+constexpr int picture_side = 300;
 constexpr long most_colours = 5;  ///< 20 of 360,000 pixels
 
 struct VolumeDifference {
@@ -28,8 +28,8 @@ struct VolumeDifference {
 
 /// Does a neighbour of the pixel see other lights, or another triangle?
 bool at_edge(const Frame& frame, int x, int y) {
-  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, side - 1); ++v)
-    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, side - 1); ++u)
+  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, picture_side - 1); ++v)
+    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, picture_side - 1); ++u)
       if (frame.shadow.at(u, v) != frame.shadow.at(x, y) || frame.ids.at(u, v) != frame.ids.at(x, y)) return true;
   return false;
 }
@@ -48,14 +48,14 @@ VolumeDifference compare(const std::string& name, const std::vector<std::string>
   request.channels = Channel::ids;
   Prepared prepared;
   Progress progress;
-  const View view{scene.camera, side, side};
+  const View view{scene.camera, picture_side, picture_side};
   const Frame drawn = render(scene, view, one, request, prepared, progress);
   request.channels = Channel::ids | Channel::shadow;
   const Frame expected = render(scene, view, other, request, prepared, progress);
   const Image<Rgb8> a = display_frame(drawn, one), b = display_frame(expected, other);
   VolumeDifference difference;
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x) {
+  for (int y = 0; y < picture_side; ++y)
+    for (int x = 0; x < picture_side; ++x) {
       difference.shadowed += expected.shadow.at(x, y) != 0;
       const bool same_triangle = drawn.ids.at(x, y) == expected.ids.at(x, y);
       difference.ids += !same_triangle;
@@ -66,8 +66,8 @@ VolumeDifference compare(const std::string& name, const std::vector<std::string>
       difference.off_edge += !at_edge(expected, x, y);
     }
   fmt::print("{} {}: {} of {} pixels see not all lights; {} ids and {} colours differ, {} of them off an edge\n", name,
-             fmt::join(assignments, " "), difference.shadowed, side * side, difference.ids, difference.colours,
-             difference.off_edge);
+             fmt::join(assignments, " "), difference.shadowed, picture_side * picture_side, difference.ids,
+             difference.colours, difference.off_edge);
   return difference;
 }
 
