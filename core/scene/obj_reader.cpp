@@ -43,10 +43,10 @@ struct FaceCorner {
   std::int32_t uv = -1, normal = -1;
 };
 
-/// A word of digits, perhaps behind a minus; nullopt for anything else.
+/// A word of digits, perhaps behind a sign; nullopt for anything else.
 std::optional<std::int64_t> read_index(std::string_view word) {
-  const bool is_negative = !word.empty() && word[0] == '-';
-  if (is_negative) word.remove_prefix(1);
+  const bool is_negative = word.starts_with('-');
+  if (is_negative || word.starts_with('+')) word.remove_prefix(1);
   if (word.empty()) return {};
   constexpr std::int64_t behind_any_list = 1'000'000'000'000;
   std::int64_t value = 0;
@@ -379,13 +379,13 @@ class ObjReader {
       points.clear();
       for (std::uint32_t i = 0; i < polygon.corners; ++i)
         points.push_back(mesh_.positions[corner(i).first.position[corner(i).second]]);
-      const auto triangles = triangulate_polygon(points, work);
-      if (work <= 0)
-        note("polygons from here on are too many or too large to be cut along their outlines",
-             static_cast<int>(mesh_.origins.lines[polygon.first_triangle]));
-      for (std::size_t t = 0; t < triangles.size(); ++t) {
+      const CutPolygon cut = triangulate_polygon(points, work);
+      const auto line = static_cast<int>(mesh_.origins.lines[polygon.first_triangle]);
+      if (work <= 0) note("polygons from here on are too many or too large to be cut along their outlines", line);
+      if (cut.crosses_itself) note("where the outline of a face crosses itself, its triangles may overlap", line);
+      for (std::size_t t = 0; t < cut.triangles.size(); ++t) {
         for (std::size_t k = 0; k < 3; ++k) {
-          const auto& [triangle, place] = corner(triangles[t][k]);
+          const auto& [triangle, place] = corner(cut.triangles[t][k]);
           first[t].position[k] = triangle.position[place];
           first[t].normal[k] = triangle.normal[place];
           first[t].uv[k] = triangle.uv[place];

@@ -51,19 +51,57 @@ bool is_convex_fan(const std::vector<Vec2d>& flat) {
   return true;
 }
 
+/// An edge from left to right.
+struct FlatEdge {
+  Vec2d left, right;
+};
+
+/// Whether they cross at a point that is no end of either. Rounding decides nothing below `no_area`.
+bool cross_between(const FlatEdge& a, const FlatEdge& b, double no_area) {
+  const auto parts = [&](const FlatEdge& edge, const FlatEdge& other) {
+    const double from = turn_of(edge.left, edge.right, other.left), to = turn_of(edge.left, edge.right, other.right);
+    return std::min(from, to) < -no_area && std::max(from, to) > no_area;
+  };
+  return parts(a, b) && parts(b, a);
+}
+
+/// Goes over the edges from left to right. Of large polygons in which most edges lie over each other it looks at a
+/// part.
+bool crosses_itself(const std::vector<Vec2d>& flat) {
+  std::size_t pairs_left = 64 * flat.size();
+  std::vector<FlatEdge> edges;
+  edges.reserve(flat.size());
+  double size = 0;
+  for (std::size_t i = 0; i < flat.size(); ++i) {
+    const Vec2d &a = flat[i], &b = flat[(i + 1) % flat.size()];
+    edges.push_back(a.x <= b.x ? FlatEdge{a, b} : FlatEdge{b, a});
+    size = std::max({size, std::abs(a.x), std::abs(a.y)});
+  }
+  std::sort(edges.begin(), edges.end(), [](const FlatEdge& a, const FlatEdge& b) { return a.left.x < b.left.x; });
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (std::size_t k = i + 1; k < edges.size() && edges[k].left.x < edges[i].right.x && pairs_left > 0;
+         ++k, --pairs_left)
+      if (cross_between(edges[i], edges[k], 1e-12 * size * size)) return true;
+  return false;
+}
+
 }  // namespace
 
-std::vector<std::array<std::uint32_t, 3>> triangulate_polygon(const std::vector<Vec3d>& corners, std::int64_t& work) {
+CutPolygon triangulate_polygon(const std::vector<Vec3d>& corners, std::int64_t& work) {
   const auto count = static_cast<std::uint32_t>(corners.size());
-  if (count < 3) return {};
+  CutPolygon cut;
+  if (count < 3) return cut;
   if (count > 3) {
     const std::vector<Vec2d> flat = flattened(corners);
-    if (!is_convex_fan(flat)) return EarClipper(flat, work).run();
+    if (!is_convex_fan(flat)) {
+      cut.triangles = EarClipper(flat, work).run();
+      cut.crosses_itself = crosses_itself(flat);
+      return cut;
+    }
   }
-  std::vector<std::array<std::uint32_t, 3>> fan;
-  fan.reserve(count - 2);
-  for (std::uint32_t i = 1; i + 1 < count; ++i) fan.push_back({0, i, i + 1});
-  return fan;
+  cut.triangles.reserve(count - 2);
+  for (std::uint32_t i = 1; i + 1 < count; ++i) cut.triangles.push_back({0, i, i + 1});
+  return cut;
 }
 
 }  // namespace ps

@@ -11,11 +11,17 @@ namespace ps {
 /// many polygons counts down one number for all of them.
 inline constexpr std::int64_t most_polygon_work = 400'000'000;
 
-/// Cuts a polygon in space into corners.size() - 2 triangles with the same facing. Vertices are indices into the
-/// polygon (0, 1, 2, ...). Convex polygons become a fan around vertex 0, others lose one ear after the other; a polygon
-/// that is not flat is cut as it appears along its mean normal. It may touch itself: loops that share a vertex, and
-/// holes reached by bridges, are filled to their outlines. Where it crosses itself between vertices the triangles may
-/// overlap, and so they may where `work`, from which each vertex looked at is taken, is used up; their number stays.
-std::vector<std::array<std::uint32_t, 3>> triangulate_polygon(const std::vector<Vec3d>& corners, std::int64_t& work);
+/// What a polygon is cut into: vertices are indices into it (0, 1, 2, ...).
+struct CutPolygon {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  bool crosses_itself = false;  ///< two of its edges cross between their vertices (not looked for beyond a limit)
+};
+
+/// Cuts a polygon in space into corners.size() - 2 triangles with the same facing. Convex polygons become a fan around
+/// vertex 0, others lose one ear after the other; a polygon that is not flat is cut as it appears along its mean
+/// normal. It may touch itself: loops that share a vertex, and holes reached by bridges, are filled to their outlines.
+/// Where it crosses itself between vertices the triangles may overlap, as no vertex is made there, and so they may
+/// where `work`, from which each vertex looked at is taken, is used up; their number stays.
+CutPolygon triangulate_polygon(const std::vector<Vec3d>& corners, std::int64_t& work);
 
 }  // namespace ps

@@ -48,6 +48,7 @@ TEST(ObjLeniency, IndicesOfWhatIsNotThere) {
   expect_plain(vertices + "f 1/1/1 2/2/2 3/3/3\n", "model.obj:5: an index of a normal");
   expect_plain(vertices + "f 1/x/9999999999 2/y/z 3//\n", "a slash with nothing behind it is taken for no index");
   expect_plain(vertices + "vn nan 0 0\nvt nan\nf 1/1/1 2/1/1 3/1/1\n", "a normal without three numbers");
+  expect_plain(vertices + "f +1 +2 +3\n", "");
 }
 
 TEST(ObjLeniency, NormalsStayWhereTextureCoordinatesAreMissing) {
@@ -64,6 +65,14 @@ TEST(ObjLeniency, StatementsThatNothingDraws) {
   expect_plain(face + "l\np\n", "model.obj:6: lines are not drawn");
   expect_plain(face + "vx 1 2\n", "model.obj:6: 'vx' is not a statement of a model file; perhaps 'v'");
   expect_plain("mtllib\n" + face, "model.obj:1: 'mtllib' without a name is left out");
+}
+
+TEST(ObjLeniency, OutlinesThatCrossThemselvesAreDrawnWithANote) {
+  const test::ModelFolder folder;
+  const Scene tie = folder.load(vertices + "f 1 2 3 4\n"), square = folder.load(vertices + "f 1 2 4 3\n");
+  EXPECT_EQ(notes_of(tie), "model.obj:5: where the outline of a face crosses itself, its triangles may overlap.\n");
+  EXPECT_EQ(test::mesh_of(tie).triangles.size(), 2U);
+  EXPECT_EQ(notes_of(square), "");
 }
 
 TEST(ObjLeniency, SmoothingGroupsOfAnySpelling) {

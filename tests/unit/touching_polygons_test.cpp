@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <random>
 
 #include "scene/polygon.h"
@@ -14,9 +15,8 @@ namespace touching_polygons_test {
 namespace {
 
 using Place = std::pair<int, int>;
-using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-Triangles cut(const std::vector<Vec3d>& corners) {
+CutPolygon cut(const std::vector<Vec3d>& corners) {
   std::int64_t work = most_polygon_work;
   return triangulate_polygon(corners, work);
 }
@@ -28,7 +28,7 @@ Vec3d area_of(const std::vector<Vec3d>& corners, const std::array<std::uint32_t,
 /// Sum of the areas, and of the areas that face as `facing` does.
 std::pair<double, double> areas(const std::vector<Vec3d>& corners, const Vec3d& facing) {
   std::pair<double, double> sum{0, 0};
-  for (const auto& triangle : cut(corners)) {
+  for (const auto& triangle : cut(corners).triangles) {
     const Vec3d area = area_of(corners, triangle);
     sum.first += std::sqrt(dot(area, area));
     sum.second += dot(area, facing);
@@ -107,9 +107,10 @@ TEST(TouchingPolygons, OutlinesOfSquaresKeepTheirArea) {
     const Vec3d square = cross(u, v);
     const double size = std::sqrt(dot(square, square));
     const auto [area, facing] = areas(corners, square / (is_reversed ? -size : size));
+    ASSERT_FALSE(cut(corners).crosses_itself) << tried;
     ASSERT_NEAR(area, outline.squares * size, 1e-9) << tried;
     ASSERT_NEAR(facing, outline.squares * size, 1e-9) << tried;
-    ASSERT_EQ(cut(corners).size(), corners.size() - 2);
+    ASSERT_EQ(cut(corners).triangles.size(), corners.size() - 2);
   }
 }
 
@@ -145,6 +146,26 @@ TEST(TouchingPolygons, HolesReachedByBridges) {
   }
 }
 
+/// Vertices of a regular polygon with `count` of them, of which each `step`th one is the next: a star that crosses
+/// itself between vertices if the step is 2 or more, but not the way round in one step.
+TEST(TouchingPolygons, OutlinesThatCrossBetweenVerticesAreNoticed) {
+  for (const int count : {5, 7, 9, 31})
+    for (int step = 1; step < count; ++step) {
+      std::vector<Vec3d> star;
+      for (int i = 0; i < count; ++i) {
+        const double angle = 2 * 3.14159265358979 * i * step / count;
+        star.emplace_back(std::cos(angle), std::sin(angle), std::cos(angle) / 3);
+      }
+      if (std::gcd(count, step) > 1) continue;  // runs along its edges several times
+      EXPECT_EQ(cut(star).crosses_itself, step > 1 && step < count - 1) << count << " " << step;
+      EXPECT_EQ(cut(star).triangles.size(), star.size() - 2);
+    }
+  std::vector<Vec3d> bow_tie{{0, 0, 5}, {3, 2, 5}, {3, 0, 5}, {0, 2, 5}};
+  EXPECT_TRUE(cut(bow_tie).crosses_itself);
+  std::swap(bow_tie[1], bow_tie[2]);  // a rectangle
+  EXPECT_FALSE(cut(bow_tie).crosses_itself);
+}
+
 TEST(TouchingPolygons, ManyVerticesTakeBoundedWork) {
   for (const std::size_t count : {1500U, 20000U}) {
     std::vector<Vec3d> comb;
@@ -156,7 +177,7 @@ TEST(TouchingPolygons, ManyVerticesTakeBoundedWork) {
     EXPECT_NEAR(area, std::abs(twice) / 2, 1e-3) << count;
     EXPECT_NEAR(facing, std::abs(twice) / 2, 1e-3) << count;
     std::int64_t little = 1000;
-    EXPECT_EQ(triangulate_polygon(comb, little).size(), count - 2) << "a fan of what is left";
+    EXPECT_EQ(triangulate_polygon(comb, little).triangles.size(), count - 2) << "a fan of what is left";
     EXPECT_GT(little, -static_cast<std::int64_t>(2 * count)) << "ends soon after its work is used up";
   }
 }
