@@ -303,6 +303,30 @@ TEST(SurfaceMaps, EventsNameTheUseAndTheTexel) {
   }
 }
 
+TEST(SurfaceMaps, TheLedgerNamesThePictureThatIsReflected) {
+  const test::ModelFolder folder;
+  folder.write("sky.ppm", "P3 1 2 1 1 0 0  0 1 0\n");
+  for (const std::string material : {"reflective = 0.25", "reflective = 0.25 reflection_map = sky",
+                                     "reflective = 0.25 reflection_map = sky transparency = 0.5"}) {
+    const Scene scene = with_lights(wall(folder, "color = red " + material, "texture { name = sky file = sky.ppm }"),
+                                    {ambient_light(1)});
+    for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
+      Settings settings;
+      settings.renderer = renderer;
+      settings.environment = Environment::cube_map;
+      Prepared prepared;
+      Progress progress;
+      const PixelStory story = inspect(scene, {scene.camera, width, height}, settings, {5, 5}, prepared, progress);
+      std::string terms;
+      for (const LedgerLine& line : story.ledger) terms += line.term + "\n";
+      const bool pictured = material.find("sky") != std::string::npos;
+      EXPECT_EQ(terms.find(" x colour from its reflection map sky") != std::string::npos, pictured) << terms;
+      const char* other = renderer == Renderer::ray_tracer ? " x reflected colour" : " x colour from its cube map";
+      EXPECT_EQ(terms.find(other) != std::string::npos, !pictured) << terms;
+    }
+  }
+}
+
 TEST(SurfaceMaps, FastPathsDeclineWithTheirReason) {
   Settings settings;
   settings.renderer = Renderer::rasterizer;

@@ -28,6 +28,20 @@ void add_rays_of_kind(const PixelStory& story, const Scene& scene, int ray, RayK
     if (event_as<RayEvent>(story.events, child).kind == kind) add_ray(story, scene, child, share, level, lines);
 }
 
+/// "reflected colour", or the picture that it was read from. `texture` is the event of that reading, or -1.
+std::string reflected_text(const PixelStory& story, const Scene& scene, int texture, const std::string& otherwise) {
+  if (texture < 0) return otherwise;
+  const int map = event_as<TextureEvent>(story.events, texture).texture;
+  return "colour from its reflection map " + scene.textures->at(static_cast<std::size_t>(map)).name;
+}
+
+/// The reading of a reflection map for the surface that a ray has hit, or -1.
+int reflection_read(const std::vector<Event>& events, int ray) {
+  for (const int read : events_of_ray<TextureEvent>(events, ray))
+    if (event_as<TextureEvent>(events, read).use == TextureUse::reflection) return read;
+  return -1;
+}
+
 /// A transparent surface: local, reflected and transmitted colour, each times its share (CGFS ch. 5).
 void add_boundary(const PixelStory& story, const Scene& scene, int ray, int index, const ShadingEvents& shading,
                   double share, int level, Lines& lines) {
@@ -40,7 +54,8 @@ void add_boundary(const PixelStory& story, const Scene& scene, int ray, int inde
   }
   if (event.mirrored_share > 0) {
     lines.push_back({level,
-                     fmt::format("{}: {} x reflected colour{}", name, number_text(event.mirrored_share),
+                     fmt::format("{}: {} x {}{}", name, number_text(event.mirrored_share),
+                                 reflected_text(story, scene, reflection_read(story.events, ray), "reflected colour"),
                                  event.total ? " (total internal reflection)" : ""),
                      share * event.mirrored_share * event.mirrored, index});
     add_rays_of_kind(story, scene, ray, RayKind::reflection, share * event.mirrored_share, level + 1, lines);
@@ -81,7 +96,9 @@ void add_ray(const PixelStory& story, const Scene& scene, int ray, double share,
   lines.push_back(
       {level, fmt::format("{}: {} x local colour", name, number_text(own)), share * own * local, shading.shade});
   append(lines, light_terms(story, scene, shading, share * own, level + 1));
-  lines.push_back({level, fmt::format("{}: {} x reflected colour", name, number_text(mirror.reflective)),
+  lines.push_back({level,
+                   fmt::format("{}: {} x {}", name, number_text(mirror.reflective),
+                               reflected_text(story, scene, reflection_read(events, ray), "reflected colour")),
                    share * mirror.reflective * mirror.reflected, mirrors.back()});
   add_rays_of_kind(story, scene, ray, RayKind::reflection, share * mirror.reflective, level + 1, lines);
 }
@@ -109,13 +126,15 @@ Lines shading_of_write(const PixelStory& story, const Scene& scene, int index, d
         polygon && polygon->row)
       return row_lines(story, parent, share, level);
   ShadingEvents shading;
-  int mirror = -1;
+  int mirror = -1, reflection_map = -1;
   shading.id = event_as<WriteEvent>(story.events, index).id;
   for (int i = index - 1; i >= 0; --i) {
     const EventData& data = story.events[static_cast<std::size_t>(i)].data;
     if (std::holds_alternative<FragmentEvent>(data) || std::holds_alternative<WriteEvent>(data)) break;
     if (std::holds_alternative<ShadeEvent>(data) && shading.shade < 0) shading.shade = i;
     if (std::holds_alternative<ReflectionEvent>(data) && mirror < 0) mirror = i;
+    const auto* texture = std::get_if<TextureEvent>(&data);
+    if (texture && texture->use == TextureUse::reflection && reflection_map < 0) reflection_map = i;
     if (std::holds_alternative<LightEvent>(data)) shading.lights.insert(shading.lights.begin(), i);
     if (std::holds_alternative<VertexLightEvent>(data)) shading.points.insert(shading.points.begin(), i);
   }
@@ -124,7 +143,9 @@ Lines shading_of_write(const PixelStory& story, const Scene& scene, int index, d
   const double own = 1 - event.reflective;
   Lines lines{{level, fmt::format("{} x local colour", number_text(own)), share * own * event.local, mirror}};
   if (shading.shade >= 0) append(lines, light_terms(story, scene, shading, share * own, level + 1));
-  lines.push_back({level, fmt::format("{} x colour from its cube map", number_text(event.reflective)),
+  lines.push_back({level,
+                   fmt::format("{} x {}", number_text(event.reflective),
+                               reflected_text(story, scene, reflection_map, "colour from its cube map")),
                    share * event.reflective * event.reflected, mirror});
   return lines;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -112,6 +113,10 @@ TEST(HardwareReflectionMap, TheStoryEndsWithThePicturesColour) {
           ++reflected;
           const Vec3d sum = mixed->local * (1 - mixed->reflective) + mixed->reflected * mixed->reflective;
           EXPECT_LT(length(sum - mixed->result), 1e-5) << x << "," << y;
+          EXPECT_TRUE(std::any_of(
+              story.ledger.begin(), story.ledger.end(),
+              [](const LedgerLine& line) { return line.term.ends_with(" x colour from its reflection map t"); }))
+              << x << "," << y;
         }
       }
     EXPECT_GT(reflected, 10);
