@@ -56,7 +56,7 @@ struct FlatEdge {
   Vec2d left, right;
 };
 
-/// Whether they cross at a point that is no end of either. Rounding decides nothing below `no_area`.
+/// Whether they cross at a point that is not an end of either. Rounding does not decide below `no_area`.
 bool cross_between(const FlatEdge& a, const FlatEdge& b, double no_area) {
   const auto parts = [&](const FlatEdge& edge, const FlatEdge& other) {
     const double from = turn_of(edge.left, edge.right, other.left), to = turn_of(edge.left, edge.right, other.right);

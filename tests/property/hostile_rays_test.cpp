@@ -1,5 +1,5 @@
 // Rays and trees of hostile numbers (NaN, infinities, denormals, zeros, huge ones): every search ends, stays within its
-// stack, and finds nothing along a ray that is no ray. PIXELSCOPE_FUZZ_SECONDS adds other seeds for that time
+// stack, and has no hit along a ray that is not one. PIXELSCOPE_FUZZ_SECONDS adds other seeds for that time
 // (`tests/run --fuzz`); PIXELSCOPE_TEST_SEED is the first of them.
 #include <gtest/gtest.h>
 

@@ -90,8 +90,7 @@ TEST_F(StrangeFiles, DeepAndLong) {
   std::string many;
   for (int i = 0; i < 100'001; ++i) many += "sphere{center=(0,0,3)radius=1}\n";
   write_and_expect_refused("many.scene", many, "at most 100000 spheres");
-  write_and_expect_refused("line.obj", "v 0 0 0 # " + std::string(5'000'000, 'x') + "\n",
-                           "at most 4194304 bytes");
+  write_and_expect_refused("line.obj", "v 0 0 0 # " + std::string(5'000'000, 'x') + "\n", "at most 4194304 bytes");
 }
 
 TEST_F(StrangeFiles, IncludesInCirclesAndChains) {
