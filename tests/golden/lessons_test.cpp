@@ -17,7 +17,7 @@ TEST_P(Lessons, EveryClaimHoldsAndHasTeeth) {
   EXPECT_EQ(result.status, 0) << result.out << result.err;
   EXPECT_NE(result.out.find(" 0 failed"), std::string::npos) << result.out;
 
-  // Who has found the right answer at one place may not expect the others there.
+  // A student who finds the right answer at one place may not expect the others there.
   const std::regex right(", choice ([0-9]+) of ");
   std::multiset<std::string> places;
   for (std::sregex_iterator each(result.out.begin(), result.out.end(), right); each != std::sregex_iterator(); ++each)
