@@ -27,7 +27,7 @@ bool lacks_samples(OptionNumber value) {
   return std::find(offered.begin(), offered.end(), samples) == offered.end();
 }
 
-constexpr std::array all{
+constexpr std::array all_lacks{
     Lack{"depth-value", "the hardware renderer has no plane equations: depth is interpolated",
          is_one_of<DepthValue, DepthValue::ray_plane>},
     Lack{"clipping", "a driver draws nothing that lies behind the eye", is_one_of<Clipping, Clipping::none>},
@@ -45,13 +45,13 @@ constexpr std::array all{
 };
 
 const Lack* find(std::string_view key) {
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Lack& lack) { return lack.option == key; });
-  return found == all.end() ? nullptr : &*found;
+  const auto found = std::find_if(all_lacks.begin(), all_lacks.end(), [&](const Lack& lack) { return lack.option == key; });
+  return found == all_lacks.end() ? nullptr : &*found;
 }
 
 }  // namespace
 
-std::span<const Lack> lacks() { return all; }
+std::span<const Lack> lacks() { return all_lacks; }
 
 std::optional<std::string_view> lacks_option(const Option& option, const Settings&) {
   const Lack* lack = find(option.key);
