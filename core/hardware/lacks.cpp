@@ -45,7 +45,8 @@ constexpr std::array all_lacks{
 };
 
 const Lack* find(std::string_view key) {
-  const auto found = std::find_if(all_lacks.begin(), all_lacks.end(), [&](const Lack& lack) { return lack.option == key; });
+  const auto found =
+      std::find_if(all_lacks.begin(), all_lacks.end(), [&](const Lack& lack) { return lack.option == key; });
   return found == all_lacks.end() ? nullptr : &*found;
 }
 
