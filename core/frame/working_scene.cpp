@@ -13,17 +13,18 @@ struct KeptPart {
   std::size_t heap_bytes() const { return bytes; }
 };
 
-/// Listings compute in double, and graphics drivers in float whatever `precision` says.
+/// Graphics drivers do whatever `precision` says.
 bool computes_in_float(const Settings& settings) {
-  if (runs_listing(settings.renderer)) return false;
   return settings.precision == Precision::float32 || renderer_kind(settings.renderer).added;
 }
 
 WorkingSpace space_for(const Scene& scene, const Settings& settings, Prepared& prepared) {
-  if (!settings.camera_relative || !computes_in_float(settings)) return {};
+  if (!settings.camera_relative || runs_listing(settings.renderer)) return {};
   const Vec3d& eye = scene.camera.position;
   const Key key = Key("working space").add(scene.geometry.revision()).add(eye.x).add(eye.y).add(eye.z);
-  return *prepared.get<WorkingSpace>(key, [&] { return working_space(scene); });
+  WorkingSpace space = *prepared.get<WorkingSpace>(key, [&] { return working_space(scene); });
+  if (!computes_in_float(settings)) space.origin = {0, 0, 0};  // double has digits enough
+  return space;
 }
 
 Key key_in(const char* product, std::uint64_t revision, const WorkingSpace& space) {
@@ -65,6 +66,7 @@ Settings settings_in(Settings settings, double scale) {
     settings.reflection_epsilon *= scale;
   }
   settings.shadow_bias *= scale;
+  settings.volume_length *= scale;
   settings.triangle_epsilon *= scale * scale * scale;  // a volume
   return settings;
 }

@@ -36,7 +36,12 @@ bool fragments_show_objects(const SceneTraits& traits, const Settings&) {
 }
 
 std::vector<LeftOut> left_out(const SceneTraits& traits, const Settings& settings) {
-  return left_out_by_fragments(traits, settings, "The rasterizer");
+  constexpr std::string_view subject = "The rasterizer";
+  std::vector<LeftOut> all = left_out_by_fragments(traits, settings, subject);
+  if (settings.precision == Precision::float32)
+    if (auto rounded = rounded_by_fragments(traits, settings, subject, {"Double", "precision=double"}))
+      all.push_back(std::move(*rounded));
+  return all;
 }
 
 }  // namespace

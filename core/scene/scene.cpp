@@ -7,7 +7,7 @@
 
 #include "base/check.h"
 #include "math/unit.h"
-#include "scene/working_space.h"
+#include "scene/float_limits.h"
 
 namespace ps {
 namespace {
@@ -77,7 +77,10 @@ SceneTraits scene_traits(const Scene& scene) {
     return light.kind == LightKind::point && light.attenuation != Vec3d{1, 0, 0};
   });
   traits.light_count = scene.lights->size();
-  traits.outgrows_float = outgrows_float(scene);
+  const FloatLimits limits = float_limits(scene);
+  traits.outgrows_float = limits.detail;
+  traits.rounds_places = limits.detail || limits.places;
+  traits.light_at_surface = limits.light_at_surface;
   for (std::size_t i = 0; i < scene.lights->size(); ++i) {
     const Light& light = (*scene.lights)[i];
     if (light.intensity == 0) continue;

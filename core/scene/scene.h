@@ -101,7 +101,9 @@ struct SceneTraits {
   bool coloured_lights = false;     ///< a light that is not white
   bool one_sided = false;           ///< triangles that are seen from their front alone
   bool dynamic = false;             ///< objects that are marked so
-  bool outgrows_float = false;      ///< rays in float miss its detail (scene/working_space.h)
+  bool outgrows_float = false;      ///< its detail is rounded away in float (scene/float_limits.h)
+  bool rounds_places = false;       ///< points of its large triangles are, where fragments interpolate them
+  bool light_at_surface = false;    ///< a point light lies nearer to a surface than they are exact
   std::size_t sphere_count = 0, light_count = 0;
   std::uint32_t shining_lights = 0;  ///< see shines()
 };

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/stop.h"
 #include "math/unit.h"
 #include "scene/form_frame.h"
-#include "scene/world.h"
+#include "scene/object_boxes.h"
 
 namespace ps {
 namespace {
@@ -14,88 +13,11 @@ namespace {
 /// So many times its extent away from the world's origin, a scene keeps it. At this distance float still resolves a
 /// millionth of the extent.
 constexpr double most_extents_away = 8;
-constexpr double least_extent = 0x1p-20;
+/// Shadow and environment maps leave out what is nearer to their middle than 0.001 units, and squares of the numbers of
+/// small scenes leave float's range.
+constexpr double least_extent = 0x1p-2;
 /// Fourth powers of this are floats: products of two squares occur.
 constexpr double greatest_extent = 0x1p30;
-
-void include_point(FormBox& box, const Vec3d& point) {
-  box.low = glm::min(box.low, point);
-  box.high = glm::max(box.high, point);
-}
-
-/// Around the vertices that triangles use.
-FormBox box_of_used(const Mesh& mesh) {
-  FormBox box;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (i % 4096 == 4095) check_stop();
-    for (const std::uint32_t corner : mesh.triangles[i].position) include_point(box, mesh.positions[corner]);
-  }
-  return box;
-}
-
-Vec3d corner_of(const FormBox& box, int corner) {
-  return {((corner & 1) != 0 ? box.high : box.low).x, ((corner & 2) != 0 ? box.high : box.low).y,
-          ((corner & 4) != 0 ? box.high : box.low).z};
-}
-
-/// A box around each object; not bounded where an object has none. Of a plane the point that it is given by.
-class BoxesOfObjects {
- public:
-  explicit BoxesOfObjects(const Geometry& geometry) : geometry_(geometry), meshes_(geometry_.meshes.size()) {
-    for (const Object& object : geometry_.objects) {
-      check_stop();
-      boxes.push_back(std::visit([&](const auto& shape) { return box_of(shape); }, object.shape));
-    }
-  }
-  std::vector<FormBox> boxes;
-
- private:
-  static FormBox box_of(const Sphere& sphere) { return {sphere.centre - sphere.radius, sphere.centre + sphere.radius}; }
-  static FormBox box_of(const Solid& solid) {
-    const auto* plane = std::get_if<Plane>(&solid.form);
-    if (!plane) return solid_box(solid);
-    const Vec3d point = solid.place.linear * plane->point + solid.place.translation;
-    return {point, point};
-  }
-  static FormBox box_of(const Csg& csg) { return csg_box(csg.root); }
-  FormBox box_of(const Instance& instance) {
-    FormBox& own = meshes_[instance.mesh];
-    if (!is_bounded(own)) own = box_of_used(*geometry_.meshes[instance.mesh]);
-    FormBox box;
-    if (is_bounded(own))  // it has triangles
-      for (int corner = 0; corner < 8; ++corner)
-        include_point(box, ps::to_world(instance.transform, corner_of(own, corner)));
-    return box;
-  }
-
-  const Geometry& geometry_;
-  std::vector<FormBox> meshes_;  ///< by mesh; unbounded: not asked for yet
-};
-
-WorkingSpace space_around(const std::vector<FormBox>& boxes, const Vec3d& eye) {
-  WorkingSpace space;
-  FormBox box{eye, eye};
-  for (const FormBox& one : boxes) {
-    if (!is_bounded(one)) continue;
-    include_point(box, one.low);
-    include_point(box, one.high);
-  }
-  const Vec3d middle = box.low * 0.5 + box.high * 0.5;
-  const double extent = largest_component(box.high * 0.5 - box.low * 0.5), away = largest_component(middle);
-  if (!std::isfinite(away) || !std::isfinite(extent)) return space;
-  if (away > most_extents_away * extent && away > 0) {
-    const double step = std::ldexp(1, std::ilogb(std::max(extent, away * 0x1p-40)) + 1);
-    for (int axis = 0; axis < 3; ++axis) space.origin[axis] = std::round(middle[axis] / step) * step;
-  }
-  if (extent > 0 && extent < least_extent) space.scale = std::ldexp(1, -std::ilogb(extent));
-  if (extent > greatest_extent) space.scale = std::ldexp(greatest_extent, -1 - std::ilogb(extent));
-  return space;
-}
-
-/// From a point to a box; 0 within.
-double distance_to(const FormBox& box, const Vec3d& point) {
-  return length_of(glm::max(glm::max(box.low - point, point - box.high), Vec3d(0)));
-}
 
 void move_form(Form& form, const WorkingSpace& space) {
   const double k = space.scale;
@@ -124,29 +46,29 @@ void move_solid(Solid& solid, const WorkingSpace& space) {
 
 }  // namespace
 
-WorkingSpace working_space(const Scene& scene) {
-  if (scene.geometry->objects.empty()) return {};
-  return space_around(BoxesOfObjects(*scene.geometry).boxes, scene.camera.position);
+WorkingSpace working_space(const std::vector<FormBox>& boxes, const Vec3d& eye) {
+  WorkingSpace space;
+  FormBox box{eye, eye};
+  for (const FormBox& one : boxes) {
+    if (!is_bounded(one)) continue;
+    include_point(box, one.low);
+    include_point(box, one.high);
+  }
+  const Vec3d middle = box.low * 0.5 + box.high * 0.5;
+  const double extent = largest_component(box.high * 0.5 - box.low * 0.5), away = largest_component(middle);
+  if (!std::isfinite(away) || !std::isfinite(extent)) return space;
+  if (away > most_extents_away * extent && away > 0) {
+    const double step = std::ldexp(1, std::ilogb(std::max(extent, away * 0x1p-40)) + 1);
+    for (int axis = 0; axis < 3; ++axis) space.origin[axis] = std::round(middle[axis] / step) * step;
+  }
+  if (extent > 0 && extent < least_extent) space.scale = std::ldexp(1, -std::ilogb(extent));
+  if (extent > greatest_extent) space.scale = std::ldexp(greatest_extent, -1 - std::ilogb(extent));
+  return space;
 }
 
-bool outgrows_float(const Scene& scene) {
-  constexpr double float_step = 0x1p-24, seen = 0x1p-10;  // the rounding, and the share of a size that is seen
-  if (scene.geometry->objects.empty()) return false;
-  const std::vector<FormBox> boxes = BoxesOfObjects(*scene.geometry).boxes;
-  const Camera& camera = scene.camera;
-  const Vec3d& eye = camera.position;
-  const WorkingSpace space = space_around(boxes, eye);
-  const double pixel = camera.viewport_height / camera.projection_plane_d / scene.canvas_height;  // at distance 1
-  const double eye_error = float_step * largest_component(eye - space.origin);
-  const double near = camera.projection_plane_d * 0x1p-6;
-  return std::any_of(boxes.begin(), boxes.end(), [&](const FormBox& box) {
-    if (!is_bounded(box)) return false;
-    const double size = largest_component(box.high - box.low), distance = distance_to(box, eye);
-    const double reach =
-        std::max(largest_component(box.low - space.origin), largest_component(box.high - space.origin));
-    if (distance > 0 && eye_error > seen * std::max(distance, near)) return true;
-    return size > pixel * distance && std::max(float_step * reach, eye_error) > seen * size && size > 0;
-  });
+WorkingSpace working_space(const Scene& scene) {
+  if (scene.geometry->objects.empty()) return {};
+  return working_space(boxes_of_objects(*scene.geometry), scene.camera.position);
 }
 
 Geometry moved(const Geometry& geometry, const WorkingSpace& space) {

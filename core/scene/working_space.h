@@ -1,9 +1,12 @@
 #pragma once
+#include <vector>
+
+#include "scene/form_frame.h"
 #include "scene/scene.h"
 
 namespace ps {
 
-/// Where renderers that compute in float do so: in coordinates (world - origin) * scale, made in double before anything
+/// Where renderers compute: in coordinates (world - origin) * scale, made in double before anything
 /// is rounded. In nearly all scenes that is the world itself. Far from its origin floats lie too far apart (the
 /// floating origin of large worlds), and squares of very small or very large numbers leave their range.
 struct WorkingSpace {
@@ -18,14 +21,10 @@ struct WorkingSpace {
 
 /// The space for a scene: its origin lies near the middle of all bounded objects and the scene's own camera, or is that
 /// of the world, if that is no farther away than a few times their extent. It does not depend on the view. The scale
-/// brings the extent near 1 where it is below 1e-6, and below
-/// 1e9 where it is above.
+/// brings the extent near 1 where it is below 1/4, and below 1e9 where it is above.
 WorkingSpace working_space(const Scene& scene);
-
-/// Is the scene too large, against its detail, for rays in float even in its working space? An object that its camera
-/// can see is so small for its distance from the space's origin, or the camera so near to one for its own, that the
-/// rounding of their places is seen. Triangles that asks_for_double() finds are tested in double anyway.
-bool outgrows_float(const Scene& scene);
+/// The space for the boxes_of_objects() of a scene that has objects, and for its camera.
+WorkingSpace working_space(const std::vector<FormBox>& boxes, const Vec3d& eye);
 
 /// The parts of a scene in another space. Models are shared: their instances move. Directions are scaled, too, so that
 /// ray parameters stay what they are.

@@ -14,6 +14,7 @@
 #include "options/scene_settings.h"
 #include "render/left_out.h"
 #include "render/render.h"
+#include "scene/float_limits.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
 
@@ -67,7 +68,8 @@ TEST(WorkingSpace, IsTheWorldForEveryBuiltInSceneButTheFarOne) {
   for (const BuiltinScene& each : builtin_scenes()) {
     const Scene scene = load_scene(each.name);
     EXPECT_EQ(working_space(scene).is_world(), each.name != "lab/far-origin") << each.name;
-    EXPECT_FALSE(outgrows_float(scene)) << each.name;
+    const FloatLimits limits = float_limits(scene);
+    EXPECT_FALSE(limits.detail || limits.places || limits.light_at_surface) << each.name;
   }
 }
 
@@ -120,7 +122,7 @@ TEST(WorkingSpace, PicturesDoNotDependOnTheSizeOfTheScene) {
     settings.renderer = renderer;
     settings.shadows = renderer == Renderer::ray_tracer ? Shadows::traced : Shadows::stencil_depth_fail;
     const Image<Rgb8> wanted = levels_of(scene_at({0, 0, 0}), settings);
-    for (const double size : {1e-7, 1e-12, 1e-15, 1e-20, 1e-25, 1e-40, 1e-100, 1e10})
+    for (const double size : {0.1, 1e-3, 1e-5, 1e-7, 1e-12, 1e-15, 1e-20, 1e-25, 1e-40, 1e-100, 1e10})
       EXPECT_LE(differing(levels_of(scene_at({0, 0, 0}, size), settings), wanted), 8) << size;
   }
 }
@@ -179,7 +181,7 @@ TEST(WorkingSpace, WhatFloatCannotDoNeedsDouble) {
   EXPECT_EQ(said[0].remedies.at(0).setting, "precision=double");
   settings.precision = Precision::float64;
   EXPECT_TRUE(left_out(scene_traits(scene), settings).empty());
-  for (const Vec3d& place : far_places) EXPECT_FALSE(outgrows_float(scene_at(place)));
+  for (const Vec3d& place : far_places) EXPECT_FALSE(float_limits(scene_at(place)).detail);
 }
 
 /// The pixels below the horizon of a ground 1 below the eye that reaches as far as that.

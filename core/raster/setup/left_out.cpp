@@ -65,4 +65,17 @@ std::vector<LeftOut> left_out_by_fragments(const SceneTraits& traits, const Sett
   return all;
 }
 
+std::optional<LeftOut> rounded_by_fragments(const SceneTraits& traits, const Settings& settings,
+                                            std::string_view subject, const Remedy& remedy) {
+  const bool places_count = traits.point_lights || traits.specular || traits.textures || traits.reflective;
+  if (!settings.camera_relative || !traits.rounds_places || !places_count) return {};
+  return LeftOut{LeftOutKind::effect,
+                 "rounds places in float",
+                 fmt::format("{} rounds the points of surfaces: they lie too far from the scene's middle, or between "
+                             "vertices that do. The scene needs precision = double.",
+                             subject),
+                 "Points are rounded: needs precision = double.",
+                 {remedy}};
+}
+
 }  // namespace ps

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -10,5 +11,10 @@ namespace ps {
 /// the renderer at the beginning of a sentence.
 std::vector<LeftOut> left_out_by_fragments(const SceneTraits& traits, const Settings& settings,
                                            std::string_view subject);
+
+/// That float rounds the points that fragments light, or where vertices lie, so far that it is seen; `remedy` is what
+/// computes in double. Null if it does not.
+std::optional<LeftOut> rounded_by_fragments(const SceneTraits& traits, const Settings& settings,
+                                            std::string_view subject, const Remedy& remedy);
 
 }  // namespace ps
