@@ -62,6 +62,7 @@ Lines of_picture(const PicturePlan& plan, int shading, bool clip_control, Progra
       .add("ATTENUATION", s.attenuation)
       .add("BLINN_PHONG", s.highlight == Highlight::blinn_phong)
       .add("ONE_LIGHT", lights_separately(plan))
+      .add("EXACT_PLACES", plan.exact_places)
       .add("SHADOW_MAPS", plan.maps_shadows)
       .add("SHADOW_FILTER", s.shadow_filter)
       .add("DEPTH_BY_SHADER", !driver_keeps_depth(plan, clip_control))

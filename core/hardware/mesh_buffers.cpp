@@ -3,10 +3,12 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "hardware/context.h"
 #include "hardware/least_recent.h"
 #include "math/unit.h"
+#include "scene/form_frame.h"
 #include "shade/normal_mapping.h"
 
 namespace ps::hardware {
@@ -34,15 +36,11 @@ int width_of(Stream stream) {
   return 0;
 }
 
-Vec3d middle_of(const Mesh& mesh) {
-  if (mesh.positions.empty()) return Vec3d(0);
-  Vec3d low = mesh.positions.front(), high = low;
-  for (const Vec3d& p : mesh.positions)
-    for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], p[axis]);
-      high[axis] = std::max(high[axis], p[axis]);
-    }
-  return (low + high) * 0.5;
+FormBox box_around(const std::vector<Vec3d>& positions) {
+  if (positions.empty()) return {Vec3d(0), Vec3d(0)};
+  FormBox box{positions.front(), positions.front()};
+  for (const Vec3d& p : positions) box = {glm::min(box.low, p), glm::max(box.high, p)};
+  return box;
 }
 
 Vec3d own_normal(const Mesh& mesh, const MeshTriangle& triangle) {
@@ -65,12 +63,12 @@ TangentFrame<double> frame_of(const Mesh& mesh, const MeshTriangle& triangle) {
 /// The values of one vertex of a triangle.
 class CornerValues {
  public:
-  CornerValues(const Mesh& mesh, const Vec3d& centre) : mesh_(mesh), centre_(centre) {}
+  CornerValues(const Mesh& mesh, const MeshBuffers& buffers) : mesh_(mesh), buffers_(buffers) {}
 
   void add(Stream stream, const MeshTriangle& triangle, std::size_t k, std::vector<float>& values) const {
     switch (stream) {
     case Stream::positions:
-      return push(mesh_.positions[triangle.position[k]] - centre_, values);
+      return push(buffers_.place(mesh_.positions[triangle.position[k]]), values);
     case Stream::normals:
       return push_normal(triangle, k, values);
     case Stream::uvs: {
@@ -84,7 +82,7 @@ class CornerValues {
       return push(own_normal(mesh_, triangle), values);
     case Stream::centres: {
       Vec3d sum(0);
-      for (const std::uint32_t p : triangle.position) sum += mesh_.positions[p] - centre_;
+      for (const std::uint32_t p : triangle.position) sum += buffers_.place(mesh_.positions[p]);
       return push(sum / 3.0, values);
     }
     case Stream::normals_0:
@@ -114,12 +112,16 @@ class CornerValues {
   }
 
   const Mesh& mesh_;
-  const Vec3d& centre_;
+  const MeshBuffers& buffers_;
 };
 
 }  // namespace
 
-MeshBuffers::MeshBuffers(const Mesh& mesh) : centre_(middle_of(mesh)) {
+MeshBuffers::MeshBuffers(const Mesh& mesh) {
+  const FormBox box = box_around(mesh.positions);
+  centre_ = box.low * 0.5 + box.high * 0.5;
+  const double extent = largest_component(box.high - centre_);
+  if (extent > 0) scale_ = std::ldexp(1, -std::ilogb(extent));
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const std::uint32_t slot = mesh.triangles[i].material;
     if (runs_.empty() || runs_.back().slot != slot) runs_.push_back({slot, i, 0});
@@ -139,7 +141,7 @@ void MeshBuffers::need(Stream stream, const Mesh& mesh) {
   if (buffer != 0) return;
   std::vector<float> values;
   values.reserve(missing_bytes(stream, mesh) / sizeof(float));
-  const CornerValues corners(mesh, centre_);
+  const CornerValues corners(mesh, *this);
   for (const MeshTriangle& triangle : mesh.triangles)
     for (std::size_t k = 0; k < 3; ++k) corners.add(stream, triangle, k, values);
   glGenBuffers(1, &buffer);

@@ -50,14 +50,18 @@ class MeshBuffers {
   /// Makes a stream that is there the input of its location.
   void bind(Stream stream) const;
 
-  /// Positions are relative to this point of model space, so that they keep their bits far from the origin.
+  /// A position as vertices carry it: (position - centre) * scale. So it keeps its bits far from the model's origin,
+  /// and within float's range whatever the model's size. The scale is a power of two.
+  Vec3d place(const Vec3d& position) const { return (position - centre_) * scale_; }
   const Vec3d& centre() const { return centre_; }
+  double scale() const { return scale_; }
   /// In the order of the triangles.
   const std::vector<SlotRun>& runs() const { return runs_; }
   std::size_t bytes() const { return bytes_; }
 
  private:
   Vec3d centre_{0, 0, 0};
+  double scale_ = 1;
   std::vector<SlotRun> runs_;
   std::array<unsigned, stream_count> buffers_{};
   std::size_t bytes_ = 0;

@@ -246,12 +246,11 @@ void PictureDrawer::upload_surface_table() {
 }
 
 void PictureDrawer::upload_volumes() {
-  std::vector<Vec3d> centres;
-  for (const raster::DrawObject& object : plan_.objects)
-    centres.push_back(object.mesh->triangles.empty() ? Vec3d(0) : shop_.meshes.get(object.mesh).centre());
+  std::vector<const MeshBuffers*> buffers;
+  for (const raster::DrawObject& object : plan_.objects) buffers.push_back(&shop_.meshes.get(object.mesh));
   for (std::size_t light = 0; light < plan_.lights.size(); ++light) {
     volumes_.emplace_back();
-    for (const VolumeFaces& faces : volume_faces(plan_, light, places_, centres)) volumes_.back().emplace_back(faces);
+    for (const VolumeFaces& faces : volume_faces(plan_, light, places_, buffers)) volumes_.back().emplace_back(faces);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "frame/fast_kernels.h"
 #include "hardware/draw_passes.h"
 #include "raster/setup/draw_stage.h"
 #include "raster/setup/textures.h"
@@ -45,6 +46,7 @@ PicturePlan make_plan(const Scene& scene, const View& view, const Settings& sett
                                     [&](const auto& surface) { return reflects_picture(plan, surface); });
   plan.defers =
       raster::defers_shading(settings) && !pictures && (settings.shading == Shading::phong || !lights_separately(plan));
+  plan.exact_places = prepared_traits(scene, prepared).light_at_surface && !plan.affine();
   plan.farthest = farthest_of(plan);
   plan.region = request.region;
   return plan;

@@ -40,7 +40,8 @@ struct PicturePlan {
   bool counts_volumes = false;                                 ///< shadows are counted in a stencil buffer
   std::shared_ptr<const std::vector<std::vector<raster::ShadowVolume>>> volumes;  ///< by light, where it does
   bool defers = false;                                                            ///< shading
-  double farthest = 1;  ///< camera z beyond which nothing lies
+  bool exact_places = false;  ///< a light nearly touches a surface (SceneTraits::light_at_surface)
+  double farthest = 1;        ///< camera z beyond which nothing lies
   std::optional<TileRect> region;
 
   bool perspective() const { return settings.projection == Projection::perspective; }

@@ -8,6 +8,7 @@
 #include "hardware/definitions.h"
 #include "hardware/picture_drawer.h"
 #include "hardware/picture_units.h"
+#include "math/unit.h"
 #include "raster/setup/textures.h"
 
 namespace ps::hardware {
@@ -17,6 +18,13 @@ namespace {
 Mat3d surface_matrix(const raster::DrawObject& object) {
   const Mat3d& m = object.linear;
   return Mat3d(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])) * (object.mirrored ? -1.0 : 1.0);
+}
+
+/// A matrix for directions, whose length does not matter, with entries within float's range.
+Mat3d for_directions(const Mat3d& matrix) {
+  const double largest =
+      std::max({largest_component(matrix[0]), largest_component(matrix[1]), largest_component(matrix[2])});
+  return largest > 0 ? matrix * std::ldexp(1, -std::ilogb(largest)) : matrix;
 }
 
 /// The factor that keeps a depth within 0..1: a power of two, which changes no comparison.
@@ -57,15 +65,17 @@ Program& PictureDrawer::program_of(const char* vertex_file, const char* fragment
 
 void PictureDrawer::set_object(Program& program, std::size_t object) {
   const raster::DrawObject& draw = plan_.objects[object];
-  const Vec3d centre = draw.world(shop_.meshes.get(draw.mesh).centre());
-  program.set("to_world", draw.linear);
+  const MeshBuffers& buffers = shop_.meshes.get(draw.mesh);
+  const Vec3d centre = draw.world(buffers.centre());
+  const Mat3d linear = draw.linear * (1 / buffers.scale());
+  program.set("to_world", linear);
   program.set("world_shift", Vec3f(centre));
   const Mat3d& from_world = plan_.camera_space.from_world;
   program.set("from_world", from_world);
-  program.set("to_camera", plan_.settings.camera_relative ? from_world * draw.linear : from_world);
+  program.set("to_camera", plan_.settings.camera_relative ? from_world * linear : from_world);
   program.set("camera_shift", Vec3f(plan_.camera_space.point(centre)));
-  program.set("normal_matrix", draw.normal_matrix);
-  program.set("surface_matrix", surface_matrix(draw));
+  program.set("normal_matrix", for_directions(draw.normal_matrix));
+  program.set("surface_matrix", for_directions(surface_matrix(draw)));
   program.set("object_number", draw.object);
   program.set("numbered", draw.sphere ? 0 : 1);
 }

@@ -17,7 +17,20 @@ std::optional<bool> reads(const Option& option, const Settings&, const SceneTrai
 }
 
 std::vector<LeftOut> left_out(const SceneTraits& traits, const Settings& settings) {
-  return left_out_by_fragments(traits, settings, "The hardware renderer");
+  constexpr std::string_view subject = "The hardware renderer";
+  const Remedy rasterizer{"Rasterizer", "renderer=rasterizer"};
+  std::vector<LeftOut> all = left_out_by_fragments(traits, settings, subject);
+  if (auto rounded = rounded_by_fragments(traits, settings, subject, rasterizer)) {
+    all.push_back(std::move(*rounded));
+  } else if (traits.outgrows_float && settings.camera_relative) {
+    all.push_back({LeftOutKind::effect,
+                   "rounds away detail in float",
+                   "The hardware renderer rounds away detail: it lies too far from the middle of its model. Set "
+                   "renderer = rasterizer to see it.",
+                   "Detail is rounded away: drivers compute in float.",
+                   {rasterizer}});
+  }
+  return all;
 }
 
 std::optional<std::string_view> why_unavailable(const Settings&, const SceneTraits&) {

@@ -11,12 +11,12 @@ namespace {
 class VolumeVertices {
  public:
   VolumeVertices(const PicturePlan& plan, const raster::DrawObject& object, const raster::ShadowVolume& volume,
-                 const std::vector<Vec3f>& snapped, const Vec3d& mesh_centre)
-      : plan_(plan), object_(object), volume_(volume), snapped_(snapped), mesh_centre_(mesh_centre) {}
+                 const std::vector<Vec3f>& snapped, const MeshBuffers& buffers)
+      : plan_(plan), object_(object), volume_(volume), snapped_(snapped), buffers_(buffers) {}
 
   /// A vertex of the object's mesh.
   void add_near(std::uint32_t mesh_vertex, VolumeCorners& corners) const {
-    corners.places.emplace_back(Vec3f(object_.mesh->positions[mesh_vertex] - mesh_centre_), 0.0f);
+    corners.places.emplace_back(Vec3f(buffers_.place(object_.mesh->positions[mesh_vertex])), 0.0f);
     if (!snapped_.empty()) corners.snapped.push_back(snapped_[mesh_vertex]);
   }
   /// A vertex of the volume's surface.
@@ -31,7 +31,7 @@ class VolumeVertices {
   const raster::DrawObject& object_;
   const raster::ShadowVolume& volume_;
   const std::vector<Vec3f>& snapped_;
-  Vec3d mesh_centre_;
+  const MeshBuffers& buffers_;
 };
 
 /// Is it one of the triangles in the light, and not one of their copies or of the sides?
@@ -49,14 +49,14 @@ bool faces_outwards(const raster::ShadowVolume& volume, const raster::DrawObject
 
 std::vector<VolumeFaces> volume_faces(const PicturePlan& plan, std::size_t light,
                                       const std::vector<std::vector<Vec3f>>& snapped_of,
-                                      const std::vector<Vec3d>& mesh_centres) {
+                                      const std::vector<const MeshBuffers*>& buffers_of) {
   std::vector<VolumeFaces> all;
   std::size_t drawn = 0;
   for (const raster::ShadowVolume& volume : (*plan.volumes)[light]) {
     check_stop();
     while (plan.objects[drawn].object != volume.object) ++drawn;
     const raster::DrawObject& object = plan.objects[drawn];
-    const VolumeVertices vertices(plan, object, volume, snapped_of[drawn], mesh_centres[drawn]);
+    const VolumeVertices vertices(plan, object, volume, snapped_of[drawn], *buffers_of[drawn]);
     VolumeFaces& faces = all.emplace_back();
     faces.object = drawn;
     const auto& triangles = volume.surface->triangles;

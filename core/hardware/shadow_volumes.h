@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "hardware/mesh_buffers.h"
 #include "hardware/picture_plan.h"
 #include "math/vec.h"
 
@@ -24,10 +25,9 @@ struct VolumeFaces {
 };
 
 /// The volumes of one light; where the plan is about a region, only what may reach it. `snapped_of[o][i]` is the
-/// rounded position of vertex i of object o, where the processor rounds. `mesh_centres` are what the positions of the
-/// meshes are relative to.
+/// rounded position of vertex i of object o, where the processor rounds. `buffers_of` holds the meshes of the objects.
 std::vector<VolumeFaces> volume_faces(const PicturePlan& plan, std::size_t light,
                                       const std::vector<std::vector<Vec3f>>& snapped_of,
-                                      const std::vector<Vec3d>& mesh_centres);
+                                      const std::vector<const MeshBuffers*>& buffers_of);
 
 }  // namespace ps::hardware

@@ -56,15 +56,19 @@ inline Real spread(Real intensity, Real divisor) {
 template <class Real>
 inline Real arriving(const ShadingLight<Real>& light, const Vec3<Real>& to_light, const IlluminationOptions& options) {
   if (light.kind != LightKind::point) return light.intensity;
+  using Limits = std::numeric_limits<Real>;
+  const Real square = dot(to_light, to_light);
+  const bool exact = has_exact_square(square);
+  const Real distance = exact ? std::sqrt(square) : std::clamp(length_of(to_light), Limits::min(), Limits::max());
   switch (options.illumination) {
   case Illumination::book: {
     if (!options.attenuation || !light.attenuates) return light.intensity;
-    const Real square = dot(to_light, to_light);
     const Vec3<Real>& a = light.attenuation;
-    return spread(light.intensity, a.x + a.y * std::sqrt(square) + a.z * square);
+    return spread(light.intensity, a.x + a.y * distance + (exact ? a.z * square : a.z * distance * distance));
   }
   case Illumination::radiometric:
-    return spread(light.intensity, 4 * std::numbers::pi_v<Real> * dot(to_light, to_light));
+    if (!exact) return spread(light.intensity / (4 * std::numbers::pi_v<Real>) / distance, distance);
+    return spread(light.intensity, 4 * std::numbers::pi_v<Real> * square);
   }
   return light.intensity;
 }

@@ -1,6 +1,8 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "math/unit.h"
@@ -19,13 +21,28 @@ struct TangentFrame {
   Vec3<Real> upwards{0, 0, 0};
 };
 
+/// The power of two that brings a size near 1 where its products with others might leave the range of Real; else 1.
+template <class Real>
+inline Real factor_for_products(Real size) {
+  if ((size > Real(0x1p-15) && size < Real(0x1p15)) || !(size > 0)) return 1;
+  int exponent = 0;
+  std::frexp(size, &exponent);
+  return std::ldexp(Real(1), std::min(-exponent, std::numeric_limits<Real>::max_exponent - 1));
+}
+
 /// The frame of a triangle: dP/du and -dP/dv, which solve (b - a, c - a) = (dP/du, dP/dv) * (duv). Nothing if its
 /// texture coordinates span no area.
 template <class Real>
 inline std::optional<TangentFrame<Real>> triangle_frame(const std::array<Vec3<Real>, 3>& p,
                                                         const std::array<Vec2<Real>, 3>& uv) {
-  const Vec3<Real> ab = p[1] - p[0], ac = p[2] - p[0];
-  const Vec2<Real> s = uv[1] - uv[0], t = uv[2] - uv[0];
+  Vec3<Real> ab = p[1] - p[0], ac = p[2] - p[0];
+  Vec2<Real> s = uv[1] - uv[0], t = uv[2] - uv[0];
+  const Real length = factor_for_products(std::max(largest_component(ab), largest_component(ac)));
+  const Real span = factor_for_products(std::max({std::abs(s.x), std::abs(s.y), std::abs(t.x), std::abs(t.y)}));
+  ab *= length;
+  ac *= length;
+  s *= span;
+  t *= span;
   const Real area = s.x * t.y - t.x * s.y;
   if (!(area != 0)) return {};
   const Real sign = area > 0 ? Real(1) : Real(-1);  // lengths do not matter, so the division by the area is left out

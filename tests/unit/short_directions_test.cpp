@@ -13,6 +13,8 @@
 #include "scene/form_frame.h"
 #include "scene/obj.h"
 #include "scene/scene_file.h"
+#include "shade/illumination.h"
+#include "shade/parallax_mapping.h"
 
 namespace short_directions_test {
 namespace {
@@ -130,6 +132,51 @@ TEST(ShortDirections, AttenuationThatFloatsRoundToNothingStaysFinite) {
     for (const Vec3f& pixel : frame.colour.pixels())
       for (int c = 0; c < 3; ++c) ASSERT_TRUE(std::isfinite(pixel[c]));
   }
+}
+
+/// The light of a lamp at this distance, against the formulas in double, in which no square of a float is lost.
+template <class Real>
+void expect_arrivals() {
+  for (const double distance : {1e-36, 1e-25, 1e-20, 1e-17, 1e-8, 1.0, 1e8, 1e17, 1e20, 1e25, 1e36})
+    for (const Vec3d& attenuation : {Vec3d{0, 1, 0}, {0, 0, 1}, {0.5, 0, 0}, {1, 1e-20, 0}, {0.5, 1e20, 1e30}}) {
+      ShadingLight<Real> lamp;
+      lamp.kind = LightKind::point;
+      lamp.intensity = Real(0.75);
+      lamp.attenuation = Vec3<Real>(attenuation);
+      lamp.attenuates = true;
+      const Vec3<Real> to_light = Vec3<Real>(Vec3d{0.36, -0.48, 0.8} * distance);
+      const double divisor = attenuation.x + attenuation.y * distance + attenuation.z * distance * distance;
+      const double book = std::min(0.75 / divisor, 1e12);
+      EXPECT_NEAR(arriving(lamp, to_light, {}) / book, 1, book < 1e-37 ? 1 : 1e-5) << distance << " " << attenuation.y;
+      IlluminationOptions radiometric;
+      radiometric.illumination = Illumination::radiometric;
+      const double watts = std::min(0.75 / (4 * 3.14159265358979) / distance / distance, 1e12);
+      EXPECT_NEAR(arriving(lamp, to_light, radiometric) / watts, 1, watts < 1e-37 ? 1 : 1e-5) << distance;
+    }
+}
+
+TEST(ShortDirections, LampsOfAnyDistanceShineAsTheirFormulasSay) {
+  expect_arrivals<float>();
+  expect_arrivals<double>();
+}
+
+/// A relief is seen at the same place of its texture, however large the triangle, and its texture coordinates, are.
+TEST(ShortDirections, FramesOfTexturesKeepTheirShape) {
+  const std::array<Vec3f, 3> corners{Vec3f{0, 0, 0}, {3, 0, 0}, {1, 2, 0}};
+  const std::array<Vec2f, 3> uvs{Vec2f{0, 0}, {0.5f, 0.25f}, {0, 1}};
+  const Vec3f normal{0, 0, 1}, to_eye{0.5f, 0.25f, 1};
+  const auto shift = [&](float length, float span) {
+    std::array<Vec3f, 3> p = corners;
+    std::array<Vec2f, 3> t = uvs;
+    for (std::size_t i = 0; i < 3; ++i) p[i] *= length, t[i] *= span;
+    const auto frame = triangle_frame(p, t);
+    return frame ? relief_shift(normal, *frame, to_eye, 0.5f, Parallax::occlusion).value_or(Vec2f(9)) : Vec2f(9);
+  };
+  const Vec2f wanted = shift(1, 1);
+  EXPECT_LT(std::abs(wanted.x) + std::abs(wanted.y), 1);
+  for (const float length : {0x1p-120f, 0x1p-70f, 0x1p-24f, 0x1p14f, 0x1p60f, 0x1p120f})
+    for (const float span : {0x1p-120f, 0x1p-70f, 0x1p-24f, 1.0f, 0x1p14f, 0x1p60f, 0x1p120f})
+      EXPECT_EQ(shift(length, span), wanted) << length << " " << span;
 }
 
 }  // namespace

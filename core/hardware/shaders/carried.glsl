@@ -34,9 +34,12 @@ CARRIED vec2 carried_uv;
 CARRIED vec3 carried_weights;   // of the three vertices
 CARRIED vec2 carried_z;         // camera space; and times w
 CARRIED_FLAT vec3 face_normal;  // world space, length 1
+#if EXACT_PLACES
+CARRIED_FLAT vec3 plane_point;  // one vertex of the triangle, world space
+#endif
 CARRIED_FLAT int triangle_number;
 #if RELIEF
-CARRIED_FLAT vec3 along_u;      // world space, any length
+CARRIED_FLAT vec3 along_u;      // world space; of both only the ratio of their lengths counts
 CARRIED_FLAT vec3 upwards;
 #endif
 #if STORY

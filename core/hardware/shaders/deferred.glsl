@@ -61,8 +61,7 @@ void main() {
 #else
   bool first_pass = true;
 #endif
-  float size = length(normal.xyz);
-  vec3 unit_normal = size > 0.0 ? normal.xyz / size : vec3(0.0);
+  vec3 unit_normal = unit_or_zero(normal.xyz);
   if (mirror.y >= 0.0)
     colour = mirror_environment(colour, position, unit_normal, mirror.x, int(mirror.y), first_pass);
 #endif

@@ -1,5 +1,6 @@
 // The colour of one fragment (CGFS ch. 13 and 14), in the order of core/raster/clear/shade_fragment.h.
 #include "carried.glsl"
+#include "unit.glsl"
 #if DEFERRED
 #include "tints.glsl"
 #elif SHADING == PHONG
@@ -95,12 +96,28 @@ uniform sampler2D ambient_picture;
 uniform ivec4 ambient_layout;
 uniform int ambient_wrap;
 #endif
-#if CHANNELS
+#if CHANNELS || EXACT_PLACES
 uniform vec3 camera_right;
 uniform vec3 camera_up;
 uniform vec3 camera_forward;
 uniform vec2 view_scale;   // pixels per unit of the camera's right and up, on the plane one unit before the eye
 uniform vec2 view_centre;
+#endif
+
+#if CHANNELS || EXACT_PLACES
+vec2 on_canvas() {
+  return (gl_FragCoord.xy - view_centre) / view_scale;
+}
+
+// The ray of the fragment, not normalised.
+vec3 ray_direction() {
+#if PERSPECTIVE
+  vec2 p = on_canvas();
+  return camera_right * p.x + camera_up * p.y + camera_forward;
+#else
+  return camera_forward;
+#endif
+}
 #endif
 
 // A carried value as it is at the fragment.
@@ -110,17 +127,29 @@ uniform vec2 view_centre;
 #define AT_FRAGMENT(value) (value)
 #endif
 
+// The place that is lit. Where a light nearly touches a surface, the place that a driver interpolates may be farther from the true
+// one than the light is: there it is computed as a ray tracer does, where the ray meets the triangle's plane.
+vec3 lit_place() {
+#if EXACT_PLACES
+  vec3 ray = ray_direction();
+#if PERSPECTIVE
+  vec3 from = eye;
+#else
+  vec2 p = on_canvas();
+  vec3 from = eye + camera_right * p.x + camera_up * p.y;
+#endif
+  float facing = dot(face_normal, ray);
+  if (abs(facing) > 1e-3 * length_of(ray)) return from + ray * (dot(face_normal, plane_point - from) / facing);
+#endif
+  return AT_FRAGMENT(carried_position);
+}
+
 float camera_z() {
 #if PERSPECTIVE
   return 1.0 / gl_FragCoord.w;
 #else
   return carried_z.x;
 #endif
-}
-
-vec3 unit_or_zero(vec3 v) {
-  float size = length(v);
-  return size > 0.0 ? v / size : vec3(0.0);
 }
 
 #if READS_TEXTURES
@@ -207,7 +236,7 @@ void main() {
   tints.ambient.xyz *= READ(ambient_picture, ambient_layout, ambient_wrap, uv).colour;
 #endif
 #if !DEFERRED
-  Lighting lighting = illuminate(AT_FRAGMENT(carried_position), normal, tints, camera_z());
+  Lighting lighting = illuminate(lit_place(), normal, tints, camera_z());
 #endif
 #elif SHADING == GOURAUD
   Lighting lighting = Lighting(AT_FRAGMENT(carried_light), AT_FRAGMENT(carried_extra));
@@ -217,7 +246,7 @@ void main() {
 #if DEFERRED
   geometry_surface = vec4(colour, float(surface_number));
   geometry_normal = vec4(normal, camera_z());
-  geometry_position = vec4(AT_FRAGMENT(carried_position), 1.0);
+  geometry_position = vec4(lit_place(), 1.0);
 #if SHADING == PHONG
   geometry_tint_0 = tints.specular;
   geometry_tint_1 = tints.ambient;
@@ -257,12 +286,8 @@ void main() {
 #if CHANNELS
   fragment_ids =
       ivec4(object_number, numbered == 1 ? triangle_number : 0, floatBitsToInt(camera_z()), floatBitsToInt(level));
-  vec3 ray = camera_forward;
-#if PERSPECTIVE
-  vec2 p = (gl_FragCoord.xy - view_centre) / view_scale;
-  ray = camera_right * p.x + camera_up * p.y + camera_forward;
-#endif
-  fragment_normal = vec4(NORMAL_CHANNEL == 1 ? unit_normal : vec3(0.0), -dot(ray, face_normal) / length(ray));
+  vec3 ray = ray_direction();
+  fragment_normal = vec4(NORMAL_CHANNEL == 1 ? unit_normal : vec3(0.0), -dot(ray, face_normal) / length_of(ray));
   fragment_weights = vec4(numbered == 1 ? carried_weights.xy : vec2(NO_WEIGHTS), uv);
 #endif
 #if STORY

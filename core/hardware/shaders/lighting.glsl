@@ -1,6 +1,7 @@
 // The illumination equation of CGFS ch. 3 and 4, in the order of core/shade/illumination.h, under LIGHTS lights.
 #include "power.glsl"
 #include "tints.glsl"
+#include "unit.glsl"
 #if SHADOW_MAPS && SHADING == PHONG
 #include "shadows.glsl"
 #endif
@@ -22,8 +23,9 @@ vec4 story_terms = vec4(0.0);     // cosine of the highlight, diffuse, specular,
 const float pi = 3.14159265358979;
 
 // However near a light is, no more arrives.
+const float least = 1.17549435e-38;
 float spread(float intensity, float divisor) {
-  return min(intensity / max(divisor, 1.17549435e-38), 1e12);
+  return min(intensity / max(divisor, least), 1e12);
 }
 
 #if LIGHTS > 0
@@ -31,13 +33,17 @@ float spread(float intensity, float divisor) {
 float arriving(int i, vec3 to_light) {
   float intensity = lights[3 * i].w;
   if (int(lights[3 * i + 1].w) != POINT_LIGHT) return intensity;
+  float square = dot(to_light, to_light);
+  bool exact = factor_for_square(square) == 1.0;
+  float distance = exact ? sqrt(square) : max(length_of(to_light), least);
 #if RADIOMETRIC
-  return spread(intensity, 4.0 * pi * dot(to_light, to_light));
+  if (!exact) return spread(intensity / (4.0 * pi) / distance, distance);
+  return spread(intensity, 4.0 * pi * square);
 #elif ATTENUATION
   vec4 attenuation = lights[3 * i + 2];
   if (attenuation.w == 0.0) return intensity;
-  float square = dot(to_light, to_light);
-  return spread(intensity, attenuation.x + attenuation.y * sqrt(square) + attenuation.z * square);
+  float quadratic = exact ? attenuation.z * square : attenuation.z * distance * distance;
+  return spread(intensity, attenuation.x + attenuation.y * distance + quadratic);
 #else
   return intensity;
 #endif
@@ -47,13 +53,13 @@ float arriving(int i, vec3 to_light) {
 float highlight_cosine(vec3 normal, vec3 to_light, vec3 to_eye) {
 #if BLINN_PHONG
   vec3 a = normal;
-  vec3 b = to_light / length(to_light) + to_eye / length(to_eye);
+  vec3 b = unit_of(to_light) + unit_of(to_eye);
 #else
   vec3 a = normal * (2.0 * dot(normal, to_light)) - to_light;
   vec3 b = to_eye;
 #endif
   float product = dot(a, b);
-  return product > 0.0 ? product / (length(a) * length(b)) : 0.0;
+  return product > 0.0 ? product / (length_of(a) * length_of(b)) : 0.0;
 }
 
 void add_light(int i, vec3 position, vec3 normal, Tints tints, float z, inout Lighting sum) {
@@ -74,7 +80,7 @@ void add_light(int i, vec3 position, vec3 normal, Tints tints, float z, inout Li
   float intensity = arriving(i, to_light);
 #if STORY
   if (i == story_light) {
-    story_to_light = vec4(to_light, dot(normal, to_light) / (length(normal) * length(to_light)));
+    story_to_light = vec4(to_light, dot(normal, to_light) / (length_of(normal) * length_of(to_light)));
     story_terms = vec4(0.0, 0.0, 0.0, 1.0);
   }
 #endif
@@ -87,7 +93,7 @@ void add_light(int i, vec3 position, vec3 normal, Tints tints, float z, inout Li
   intensity *= visible;
 #endif
   float n_dot_l = dot(normal, to_light);
-  float cosine = n_dot_l / (length(normal) * length(to_light));
+  float cosine = n_dot_l / (length_of(normal) * length_of(to_light));
   if (n_dot_l > 0.0) {
     float diffuse = intensity * cosine;
 #if RADIOMETRIC

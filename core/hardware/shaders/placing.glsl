@@ -18,7 +18,7 @@ uniform float near_z;
 uniform float far_share;      // near / far, or 0 without a far limit
 uniform float far_z;          // of orthographic pictures
 
-// `model` is relative to the centre of the mesh.
+// `model` is a corner_position.
 vec3 world_position(vec3 model) {
   return to_world * model + world_shift;
 }

@@ -38,7 +38,7 @@ vec2 reflection_uv(vec3 direction) {
   return clamp(cube_cross_uv(face, on_face), middle - reach, middle + reach);
 #else
   const float pi = 3.14159265358979;
-  vec3 unit = direction / length(direction);
+  vec3 unit = unit_of(direction);
   vec2 uv = vec2(0.5 + atan(unit.x, -unit.z) / (2.0 * pi), acos(clamp(unit.y, -1.0, 1.0)) / pi);
   return vec2(uv.x, clamp(uv.y, half_texel.y, 1.0 - half_texel.y));
 #endif

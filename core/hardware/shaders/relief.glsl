@@ -11,10 +11,10 @@ vec4 story_relief = vec4(0.0);  // shift from top to bottom in u and v; depth th
 #if NORMAL_MAP
 // A stored normal in the world; the surface's own where the map or the frame holds nothing usable.
 vec3 mapped_normal(vec3 surface_normal, vec3 texel) {
-  vec3 normal = normalize(surface_normal);
+  vec3 normal = normalised(surface_normal);
   vec3 across = along_u - normal * dot(normal, along_u);
-  if (!(dot(across, across) > 0.0)) return surface_normal;
-  vec3 tangent = normalize(across);
+  if (across == vec3(0.0)) return surface_normal;
+  vec3 tangent = normalised(across);
   vec3 side = cross(normal, tangent);
   vec3 bitangent = dot(side, upwards) < 0.0 ? -side : side;
   vec3 stored = texel * 2.0 - 1.0;
@@ -24,8 +24,7 @@ vec3 mapped_normal(vec3 surface_normal, vec3 texel) {
   story_bitangent = bitangent;
 #endif
   vec3 turned = tangent * stored.x + bitangent * stored.y + normal * stored.z;
-  float square = dot(turned, turned);
-  return square > 0.0 ? turned / sqrt(square) : normal;
+  return turned != vec3(0.0) ? unit_of(turned) : normal;
 }
 #endif
 
@@ -38,8 +37,8 @@ uniform float relief_depth;  // of its bottom, in widths of the picture
 // How far u and v run along the line of sight from the top of the relief to its bottom; false where the surface is seen
 // edge-on or from behind.
 bool relief_shift(vec3 normal, vec3 to_eye, out vec2 shift) {
-  vec3 n = normalize(normal);
-  vec3 v = normalize(to_eye);
+  vec3 n = normalised(normal);
+  vec3 v = normalised(to_eye);
   float cosine = dot(n, v);
   shift = vec2(0.0);
   if (!(cosine > 0.0)) return false;

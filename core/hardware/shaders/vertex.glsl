@@ -2,11 +2,12 @@
 // are drawn without indices: vertex number gl_VertexID % 3 of triangle gl_VertexID / 3.
 #include "carried.glsl"
 #include "placing.glsl"
+#include "unit.glsl"
 #if SHADING == GOURAUD || SHADING == FLAT
 #include "lighting.glsl"
 #endif
 
-layout(location = 0) in vec3 corner_position;  // model space, relative to the centre of the mesh
+layout(location = 0) in vec3 corner_position;  // of the model, as MeshBuffers::place() gives it
 layout(location = 1) in vec4 corner_normal;    // model space; w = 0: the triangle's own, 1: the vertex's
 layout(location = 2) in vec2 corner_uv;
 layout(location = 3) in vec3 triangle_normal;  // model space
@@ -34,13 +35,8 @@ out vec4 story_point_terms;
 uniform mat3 normal_matrix;   // of vertices' normals, as the option normal-transform asks
 uniform mat3 surface_matrix;  // of triangles' own normals
 
-vec3 unit_or_as_is(vec3 v) {
-  float size = length(v);
-  return size > 0.0 ? v / size : v;
-}
-
 vec3 world_normal(vec4 normal) {
-  return unit_or_as_is(normal.w > 0.0 ? normal_matrix * normal.xyz : surface_matrix * normal.xyz);
+  return unit_or_zero(normal.w > 0.0 ? normal_matrix * normal.xyz : surface_matrix * normal.xyz);
 }
 
 void main() {
@@ -49,7 +45,7 @@ void main() {
   float w = clip_w(camera);
   gl_Position = clip_position(camera);
 
-  vec3 own_normal = unit_or_as_is(surface_matrix * triangle_normal);
+  vec3 own_normal = unit_or_zero(surface_matrix * triangle_normal);
 #if CORNER_NORMALS
   vec3 normal = world_normal(corner_normal);
 #else
@@ -62,10 +58,19 @@ void main() {
   carried_weights = vec3(equal(ivec3(gl_VertexID % 3), ivec3(0, 1, 2)));
   carried_z = vec2(camera.z, camera.z * w);
   face_normal = own_normal;
+#if EXACT_PLACES
+  plane_point = world;
+#endif
   triangle_number = gl_VertexID / 3;
 #if RELIEF
   along_u = to_world * triangle_along_u;
   upwards = to_world * triangle_upwards;
+  // A common factor cancels, and the fourth power of these lengths must be a float.
+  float reach = max(length_of(along_u), length_of(upwards));
+  if (reach > 32768.0 || reach < 1.0 / 32768.0 && reach > 0.0) {
+    along_u /= reach;
+    upwards /= reach;
+  }
 #endif
 #if SHADING == GOURAUD
   Lighting lighting = illuminate(world, normal, Tints(specular_colour, ambient_colour, exponent), camera.z);
@@ -73,7 +78,7 @@ void main() {
   carried_extra = lighting.extra * share;
 #elif SHADING == FLAT
 #if CORNER_NORMALS
-  vec3 mean = unit_or_as_is((world_normal(normal_0) + world_normal(normal_1) + world_normal(normal_2)) / 3.0);
+  vec3 mean = unit_or_zero((world_normal(normal_0) + world_normal(normal_1) + world_normal(normal_2)) / 3.0);
 #else
   vec3 mean = own_normal;
 #endif
