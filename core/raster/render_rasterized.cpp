@@ -6,11 +6,11 @@
 #include "frame/display_frame.h"
 #include "frame/region.h"
 #include "raster/clear/canvas_items.h"
-#include "raster/clear/draw_primitives.h"
 #include "raster/fast/batch_drawer.h"
 #include "raster/fast/fast_frame.h"
 #include "raster/fast_path.h"
 #include "raster/renderer.h"
+#include "raster/replay/fragment_walk.h"
 #include "raster/shadow/fragment_shadows.h"
 #include "raster/shadow/store_map_pictures.h"
 #include "record/recorder.h"
@@ -56,9 +56,20 @@ class Picture {
   Frame& frame() { return frame_; }
   Frame take() { return std::move(frame_); }
 
-  /// draw_list(geometry, primitives, step, target, recorder) draws some of a tile's triangles or lines.
+  using Sink = ClearSink<Real, CountingRecorder>;
+  /// Draws the primitives of a tile, list by list, each by draw_list(sink, primitives, step).
   template <class DrawList>
-  void draw_tiles(DrawList&& draw_list) {
+  struct TileSink : Sink {
+    const DrawList& draw_list;
+    const Bins& bins;
+    std::size_t tile;
+    void step(const DrawStep& step, std::size_t) {
+      for (std::size_t part = 0; part < bins.parts; ++part) draw_list(*this, bins.list(part, tile), step);
+    }
+  };
+
+  template <class DrawList>
+  void draw_tiles(const DrawList& draw_list) {
     const ScreenGeometry<Real> geometry = make_geometry(pass_, {}, parallel_, progress_);
     stages_.done("vertices and clipping");
     const Bins bins = bin_primitives(pass_, geometry, clear_tile_size, parallel_, progress_);
@@ -68,19 +79,13 @@ class Picture {
     const std::vector<TileRect> tiles = make_tiles(view_.width, view_.height, clear_tile_size);
     const TileRect region = asked_region(request_, view_.width, view_.height);
     std::vector<Counters> counters(tiles.size());
-    const std::vector<DrawStep> steps = draw_steps(settings, pass_.lights.size());
     parallel_for(static_cast<int>(tiles.size()), parallel_, progress_, [&](int index, int) {
       const auto i = static_cast<std::size_t>(index);
       if (is_empty(common_part(tiles[i], region))) return;
       CountingRecorder recorder;
       fill_background(scene_, tiles[i], frame_);
       Target<Real> target(frame_, tiles[i], settings, request_.channels);
-      for (const DrawStep& step : steps)
-        for (std::size_t part = 0; part < bins.parts; ++part)
-          draw_list(geometry, std::span<const PrimitiveRef>(bins.list(part, i)), step, target, recorder);
-      if (defers_shading(settings)) shade_winners(pass_, geometry, target, recorder);
-      target.resolve();
-      draw_canvas_items(pass_, target, recorder);
+      walk_fragments(pass_, target, TileSink<DrawList>{{pass_, geometry, target, recorder}, draw_list, bins, i});
       recorder.count(Counter::nan_pixels, target.count_nan_pixels());
       counters[i] = recorder.counters;
       finish_tile(request_, settings, frame_, tiles[i]);
@@ -95,8 +100,9 @@ class Picture {
 
   /// By the clear path.
   void draw_clearly() {
-    draw_tiles([&](const auto& geometry, std::span<const PrimitiveRef> primitives, const DrawStep& step, auto& target,
-                   auto& recorder) { draw_primitives(pass_, geometry, primitives, step, target, recorder); });
+    draw_tiles([](Sink& sink, std::span<const PrimitiveRef> primitives, const DrawStep& step) {
+      sink.draw(primitives, step);
+    });
   }
 
  private:
@@ -122,9 +128,8 @@ void draw_picture(Picture<float>& picture, const RenderRequest& request, Prepare
   if (path.machinery == Machinery::whole_frame)
     return draw_fast_frame(pass, textures, request, picture.frame(), progress);
   const BatchKernels kernels = batch_kernels(pass.settings.simd);
-  picture.draw_tiles([&](const ScreenGeometry<float>& geometry, std::span<const PrimitiveRef> primitives,
-                         const DrawStep&, Target<float>& target, CountingRecorder& recorder) {
-    BatchDrawer(pass, textures, kernels, geometry, target, recorder).draw(primitives);
+  picture.draw_tiles([&](Picture<float>::Sink& sink, std::span<const PrimitiveRef> primitives, const DrawStep&) {
+    BatchDrawer(pass, textures, kernels, sink.geometry, sink.target, sink.recorder).draw(primitives);
   });
 }
 

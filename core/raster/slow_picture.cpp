@@ -4,10 +4,9 @@
 #include <cmath>
 
 #include "frame/region.h"
-#include "raster/clear/canvas_items.h"
-#include "raster/clear/draw_primitives.h"
 #include "raster/clear/stepping_recorder.h"
 #include "raster/renderer.h"
+#include "raster/replay/fragment_walk.h"
 #include "raster/shadow/fragment_shadows.h"
 #include "raster/shadow/store_map_pictures.h"
 #include "record/recorder.h"
@@ -75,17 +74,22 @@ typename SlowPicture<Real>::Progressed SlowPicture<Real>::progressed(std::uint64
 template <class Real>
 void SlowPicture<Real>::draw_tile(const TileRect& tile, std::size_t index, const Progressed& done, Frame& frame,
                                   Counters& counters) {
+  struct UpToHere : ClearSink<Real, CountingRecorder> {
+    const Progressed& done;
+    std::size_t index;  ///< of the tile
+    void step(const DrawStep& step, std::size_t number) {
+      if (number > done.full_steps) return;
+      const Bins& bins = number < done.full_steps ? done.all : done.some;
+      for (std::size_t part = 0; part < bins.parts; ++part) this->draw(bins.list(part, index), step);
+    }
+    void winners() {
+      if (done.winners) ClearSink<Real, CountingRecorder>::winners();
+    }
+    void canvas() { draw_canvas_items(this->pass, this->target, this->recorder, done.items); }
+  };
   CountingRecorder recorder;
   Target<Real> target(frame, tile, pass_.settings, request_.channels);
-  const auto draw = [&](const Bins& bins, const DrawStep& step) {
-    for (std::size_t part = 0; part < bins.parts; ++part)
-      draw_primitives(pass_, geometry_, std::span<const PrimitiveRef>(bins.list(part, index)), step, target, recorder);
-  };
-  for (std::size_t step = 0; step < done.full_steps; ++step) draw(done.all, steps_[step]);
-  if (done.pieces > 0) draw(done.some, steps_[done.full_steps]);
-  if (done.winners && defers_shading(pass_.settings)) shade_winners(pass_, geometry_, target, recorder);
-  target.resolve();
-  draw_canvas_items(pass_, target, recorder, done.items);
+  walk_fragments(pass_, target, UpToHere{{pass_, geometry_, target, recorder}, done, index});
   recorder.count(Counter::nan_pixels, target.count_nan_pixels());
   counters = recorder.counters;
 }
@@ -120,28 +124,31 @@ SlowFrame SlowPicture<Real>::after_fragments(std::uint64_t at, const Frame& whol
   slow.state.total = fragments.value_or(0);
   slow.state.done = {SlowUnit::fragments, std::min(at, slow.state.total)};
   slow.frame = make_frame(scene_, view_, pass_.settings, request_.channels);
+  struct UntilTheNext : ClearSink<Real, SteppingRecorder> {
+    const SlowPicture& picture;
+    SlowFrame& slow;
+    void step(const DrawStep& step, std::size_t number) {
+      if (picture.steps_.size() > 1) slow.state.stage = picture.stage_name(number);
+      constexpr std::size_t at_once = 64;  // triangles between two looks at whether to stop
+      for (std::span<const PrimitiveRef> rest = picture.order_; !rest.empty();) {
+        picture.progress_.check();
+        const std::size_t count = std::min(at_once, rest.size());
+        this->draw(rest.first(count), step);
+        rest = rest.subspan(count);
+      }
+    }
+    void winners() {  // without a stop: these fragments were counted when they were found
+      CountingRecorder shading;
+      shade_winners(this->pass, this->geometry, this->target, shading);
+      slow.frame.counters += shading.counters;
+    }
+  };
   SteppingRecorder recorder(slow.state.done.at);
   Target<Real> target(slow.frame, {0, 0, view_.width, view_.height}, pass_.settings, request_.channels);
   try {
-    for (std::size_t step = 0; step < steps_.size(); ++step) {
-      if (steps_.size() > 1) slow.state.stage = stage_name(step);
-      constexpr std::size_t at_once = 64;  // triangles between two looks at whether to stop
-      for (std::size_t first = 0; first < order_.size(); first += at_once) {
-        progress_.check();
-        const std::size_t count = std::min(at_once, order_.size() - first);
-        draw_primitives(pass_, geometry_, std::span<const PrimitiveRef>(order_).subspan(first, count), steps_[step],
-                        target, recorder);
-      }
-    }
-    if (defers_shading(pass_.settings)) {
-      CountingRecorder shading;
-      shade_winners(pass_, geometry_, target, shading);
-      slow.frame.counters += shading.counters;
-    }
-    draw_canvas_items(pass_, target, recorder);
+    walk_fragments(pass_, target, UntilTheNext{{pass_, geometry_, target, recorder}, *this, slow});
   } catch (const StepReached&) {
   }
-  target.resolve();
   slow.frame.path = pass_.path;
   store_map_pictures(pass_, slow.frame);
   slow.frame.counters += recorder.counters;

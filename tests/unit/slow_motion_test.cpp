@@ -376,6 +376,20 @@ TEST(SlowMotion, ShapesOnTheCanvasComeOneByOne) {
   }
 }
 
+/// The means of samples do not cover the shapes that come after them.
+TEST(SlowMotion, TheLastFragmentLeavesShapesOverMultisampledPixels) {
+  for (const char* name : {"lab/polygons", "cgfs/shaded-triangle"}) {
+    Set set;
+    set.scene = load_scene(name);
+    set.settings = settings_for(set.scene);
+    set.settings.renderer = Renderer::rasterizer;
+    set.settings.multisampling = 4;
+    set.view = {set.scene.camera, 120, 120};
+    EXPECT_EQ(after(set, SlowUnit::fragments, total_of(set, SlowUnit::fragments)).frame.colour, whole(set).colour)
+        << name;
+  }
+}
+
 TEST(SlowMotion, ThreadsChangeNothing) {
   for (const auto unit : {SlowUnit::triangles, SlowUnit::fragments, SlowUnit::tiles}) {
     Set set = soup_set(all_kept(), {});

@@ -5,18 +5,14 @@
 
 #include "frame/working_scene.h"
 #include "inspect/microscope/texels.h"
-#include "raster/clear/bins.h"
 #include "raster/clear/canvas_outline.h"
-#include "raster/clear/coverage/of_triangle.h"
-#include "raster/clear/coverage/walk.h"
 #include "raster/clear/fragment_event.h"
-#include "raster/clear/geometry.h"
 #include "raster/clear/multisample.h"
 #include "raster/clear/near_pixel.h"
 #include "raster/clear/polygon_rows.h"
-#include "raster/clear/set_up_triangle.h"
+#include "raster/clear/shade_fragment.h"
 #include "raster/guard_band.h"
-#include "raster/replay/sample_winner.h"
+#include "raster/replay/pixel_replay.h"
 #include "render/story/names.h"
 
 namespace ps {
@@ -25,14 +21,6 @@ namespace {
 using namespace raster;
 
 constexpr const char* background = "the background";
-
-/// A triangle that was copied out of the picture's geometry.
-template <class Real>
-struct NearTriangle {
-  ScreenTriangle<Real> triangle;
-  std::vector<Real> attributes;  ///< of its vertices, and what follows them (fragment.h)
-  DepthPlane<Real> plane;        ///< only where depth is found by ray and plane
-};
 
 /// A filled triangle on the canvas, which is drawn after the scene.
 struct NearCanvasTriangle {
@@ -51,16 +39,9 @@ class FragmentsIn final : public Microscope::Fragments {
         pass_(make_pass<Real>(working_.scene(), working_.view(), working_.settings(), Channel::none, prepared)),
         pixel_(pixel) {
     find_canvas_triangles(*scene.canvas_items);
-    if (settings.draw != Draw::filled) return;
-    const ScreenGeometry<Real> geometry = make_geometry(pass_, std::optional(pixel), {settings.threads, {}}, progress);
-    for (const PrimitiveRef& ref : drawing_order(pass_, geometry)) {
-      const Batch<Real>& batch = geometry.batches[ref.batch];
-      const ScreenTriangle<Real>& triangle = batch.triangles[ref.index];
-      if (!is_near(triangle.corners)) continue;
-      const auto first = batch.attributes.begin() + static_cast<std::ptrdiff_t>(triangle.attributes);
-      const auto most = std::min<std::ptrdiff_t>(batch.attributes.end() - first, most_scalars);
-      near_.push_back({triangle, {first, first + most}, set_up_triangle(pass_, geometry, ref).plane});
-    }
+    if (settings.draw == Draw::filled)
+      replay_.emplace(pass_, pixel, ParallelOptions{settings.threads, {}}, progress,
+                      [this](const ScreenTriangle<Real>& triangle) { return is_near(triangle.corners); });
   }
 
   MicroReading read(const Vec2d& point) const override {
@@ -68,30 +49,33 @@ class FragmentsIn final : public Microscope::Fragments {
     CoverageGrid grid = pass_.grid;
     grid.samples = 1;
     grid.sample = {std::round(point.x * unit) / unit, std::round(point.y * unit) / unit};
-    return read(grid, [&](const NearTriangle<Real>& near, const TriangleEdges& edges) {
-      // Strategies of coverage are asked about the picture's own samples alone.
-      if (pass_.grid.samples > 1 || grid.sample != pass_.grid.sample) return edges.inside(edges.at(pixel_.x, pixel_.y));
-      return covers_sample(near, edges);
-    });
+    return read(grid);
   }
 
   std::vector<MicroSample> samples() const override {
     std::vector<MicroSample> samples;
     if (pass_.grid.samples == 1) {
-      const MicroReading reading = read(pass_.grid.sample);
+      const MicroReading reading = read(pass_.grid);
       samples.push_back({pass_.grid.sample, reading.seen != background, reading.seen, -1});
       return samples;
     }
-    for (const SubSample& sample : sample_pattern(pass_.grid.samples)) samples.push_back(sample_of(sample));
+    const auto pattern = sample_pattern(pass_.grid.samples);
+    const std::vector<int> shown = replay_ ? replay_->shown() : std::vector<int>(pattern.size(), -1);
+    for (std::size_t i = 0; i < pattern.size(); ++i) {
+      std::string name = shown[i] < 0 ? background : name_of(replay_->set_up(shown[i]));
+      CoverageGrid grid = pass_.grid;
+      grid.samples = 1;
+      for (const NearCanvasTriangle& near : on_canvas_)
+        if (const MicroTriangle measured = measure(near, grid); near.rows.value_or(measured.covered))
+          name = measured.name;
+      samples.push_back({place_in_pixel(pattern[i], pass_.grid.sample), name != background, name, -1});
+    }
     return samples;
   }
 
   bool near_canvas() const override { return !on_canvas_.empty(); }
 
  private:
-  /// Vertices, constants of flat shading, and the vertices' weights of a piece that was cut.
-  static constexpr std::ptrdiff_t most_scalars = 3 * static_cast<std::ptrdiff_t>(max_attributes) + 6 + 9;
-
   void find_canvas_triangles(const std::vector<CanvasItem>& items) {
     int number = 0;
     for (const CanvasItem& item : items) {
@@ -146,39 +130,15 @@ class FragmentsIn final : public Microscope::Fragments {
     return canvas_pixels(point, pass_.grid.subpixel_bits) - Vec2d(pixel_);
   }
 
-  TriangleSetup<Real> set_up(const NearTriangle<Real>& near, const TriangleEdges& edges) const {
-    return {&near.triangle, &pass_.surfaces[near.triangle.surface],  near.attributes.data(),
-            edges,          Real(1) / static_cast<Real>(edges.area), near.plane};
-  }
-
-  TriangleEdges edges_of(const NearTriangle<Real>& near, const CoverageGrid& grid) const {
-    const auto edges = make_edges(near.triangle.corners, grid);
-    PS_ASSERT(edges.has_value(), "triangles without area are left out by the assembly");
-    return *edges;
-  }
-  bool covers_sample(const NearTriangle<Real>& near, const TriangleEdges& edges) const {
-    const auto input = coverage_input(pass_, near.triangle, edges);
-    return decide_sample<Real>(pass_.coverage, input, pixel_.x, pixel_.y).covered;
-  }
-
-  template <class Covers>
-  MicroReading read(const CoverageGrid& grid, Covers covers) const {
+  MicroReading read(const CoverageGrid& grid) const {
     MicroReading reading;
     reading.point = grid.sample;
-    SampleWinner<Real> seen(pass_);
-    for (const NearTriangle<Real>& near : near_) {
-      const TriangleSetup<Real> setup = set_up(near, edges_of(near, grid));
-      const Fragment<Real> fragment =
-          make_fragment(pass_, setup, pixel_.x, pixel_.y, setup.edges.at(pixel_.x, pixel_.y));
-      MicroTriangle measured = measure(setup, fragment, grid);
-      measured.covered = covers(near, setup.edges);
-      measured.cut_out = SampleWinner<Real>::cut_out(pass_, setup, fragment);
-      const Real depth = SampleWinner<Real>::depth(pass_, setup, fragment, grid.sample);
-      if (pass_.settings.visibility == Visibility::depth_buffer) measured.depth = static_cast<double>(depth);
-      if (measured.is_drawn()) seen.offer(static_cast<int>(reading.triangles.size()), depth);
-      reading.triangles.push_back(std::move(measured));
+    std::vector<ReplayedTriangle<Real>> triangles;
+    if (replay_) triangles = replay_->at(grid.sample);
+    for (const ReplayedTriangle<Real>& triangle : triangles) {
+      if (triangle.passed) reading.front = static_cast<int>(reading.triangles.size());
+      reading.triangles.push_back(measure(triangle, grid));
     }
-    reading.front = seen.winner();
     for (const NearCanvasTriangle& near : on_canvas_) {
       MicroTriangle measured = measure(near, grid);
       if (near.rows && grid.sample == pass_.grid.sample) measured.covered = *near.rows;
@@ -189,32 +149,8 @@ class FragmentsIn final : public Microscope::Fragments {
     if (reading.front < 0) return reading;
     const auto front = static_cast<std::size_t>(reading.front);
     reading.seen = reading.triangles[front].name;
-    if (front < near_.size()) reading.texture = texture_of(near_[front], grid);
+    if (front < triangles.size()) reading.texture = texture_of(triangles[front]);
     return reading;
-  }
-
-  /// One of the samples of a multisampled pixel. Its triangles are cut out where they are at the pixel's centre.
-  MicroSample sample_of(const SubSample& sample) const {
-    const Vec2d place = place_in_pixel(sample, pass_.grid.sample);
-    SampleWinner<Real> seen(pass_);
-    const auto set_up_again = [&](const NearTriangle<Real>& near) { return set_up(near, edges_of(near, pass_.grid)); };
-    for (std::size_t i = 0; i < near_.size(); ++i) {
-      const TriangleSetup<Real> setup = set_up_again(near_[i]);
-      const SubSampleEdges sub = make_sub_sample_edges(setup.edges, pass_.grid.subpixel_bits);
-      const auto middle = setup.edges.at(pixel_.x, pixel_.y), values = sub.at(middle, sample);
-      if (!sub.inside(values)) continue;
-      if (SampleWinner<Real>::cut_out(pass_, setup, make_fragment(pass_, setup, pixel_.x, pixel_.y, middle))) continue;
-      const Fragment<Real> fragment = sub_sample_fragment(pass_, setup, sub, pixel_.x, pixel_.y, values);
-      seen.offer(static_cast<int>(i), SampleWinner<Real>::depth(pass_, setup, fragment, place));
-    }
-    std::string name(background);
-    if (seen.winner() >= 0) name = name_of(set_up_again(near_[static_cast<std::size_t>(seen.winner())]));
-    CoverageGrid grid = pass_.grid;
-    grid.samples = 1;
-    for (const NearCanvasTriangle& near : on_canvas_)
-      if (const MicroTriangle measured = measure(near, grid); near.rows.value_or(measured.covered))
-        name = measured.name;
-    return {place, name != background, name, -1};
   }
 
   std::string name_of(const TriangleSetup<Real>& setup) const {
@@ -222,8 +158,9 @@ class FragmentsIn final : public Microscope::Fragments {
     return setup.surface->sphere ? name + ", its triangle " + std::to_string(setup.triangle->triangle) : name;
   }
 
-  ps::MicroTriangle measure(const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
-                            const CoverageGrid& grid) const {
+  ps::MicroTriangle measure(const ReplayedTriangle<Real>& replayed, const CoverageGrid& grid) const {
+    const TriangleSetup<Real>& setup = replayed.setup;
+    const Fragment<Real>& fragment = replayed.fragment;
     const auto values = setup.edges.at(pixel_.x, pixel_.y);
     const auto weights = space_weights(pass_, setup, fragment);
     ps::MicroTriangle out;
@@ -232,6 +169,9 @@ class FragmentsIn final : public Microscope::Fragments {
     out.edges = edges_in_pixels(values, grid.subpixel_bits);
     out.back_face = setup.triangle->back_face;
     out.z = static_cast<double>(fragment.z);
+    if (replayed.depth) out.depth = static_cast<double>(*replayed.depth);
+    out.covered = replayed.covered;
+    out.cut_out = replayed.cut_out;
     for (std::size_t i = 0; i < 3; ++i) {
       out.corners[i] = in_pixel(setup.triangle->corners[i]);
       out.ties[i] = values[i] == 0;
@@ -272,12 +212,12 @@ class FragmentsIn final : public Microscope::Fragments {
     return out;
   }
 
-  std::optional<MicroTexture> texture_of(const NearTriangle<Real>& near, const CoverageGrid& grid) const {
-    const Surface<Real>& surface = pass_.surfaces[near.triangle.surface];
+  std::optional<MicroTexture> texture_of(const ReplayedTriangle<Real>& replayed) const {
+    const TriangleSetup<Real>& setup = replayed.setup;
+    const Fragment<Real>& fragment = replayed.fragment;
+    const Surface<Real>& surface = *setup.surface;
     const int index = surface.material.texture;
     if (surface.layout.uv == AttributeLayout::absent || !pass_.settings.textures || index < 0) return {};
-    const TriangleSetup<Real> setup = set_up(near, edges_of(near, grid));
-    const Fragment<Real> fragment = make_fragment(pass_, setup, pixel_.x, pixel_.y, setup.edges.at(pixel_.x, pixel_.y));
     const Vec2<Real> uv{interpolate(pass_, setup, fragment, surface.layout.uv),
                         interpolate(pass_, setup, fragment, surface.layout.uv + 1)};
     TexturePlace<Real> place{uv, uv};
@@ -297,7 +237,7 @@ class FragmentsIn final : public Microscope::Fragments {
   const WorkingScene working_;
   Pass<Real> pass_;
   Vec2i pixel_;
-  std::vector<NearTriangle<Real>> near_;
+  std::optional<PixelReplay<Real>> replay_;  ///< without, no triangles are filled
   std::vector<NearCanvasTriangle> on_canvas_;
 };
 
