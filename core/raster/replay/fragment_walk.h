@@ -8,8 +8,8 @@
 namespace ps::raster {
 
 /// Goes over all that a target shows in the one order in which it is drawn: the primitives, as often as the settings
-/// ask for (setup/draw_stage.h), deferred shading, the means of the samples, the shapes on the canvas. Pictures, stories
-/// of a pixel, slow motion and the microscope differ in their sinks:
+/// ask for (setup/draw_stage.h), deferred shading, the means of the samples, the shapes on the canvas. Pictures,
+/// stories of a pixel, slow motion and the microscope differ in their sinks:
 ///   step(step, number)  draws primitives; `number` counts the walks over them from 0
 ///   winners()           shades what deferred shading kept
 ///   canvas()            draws the shapes on the canvas
