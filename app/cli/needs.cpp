@@ -54,7 +54,7 @@ void print_json(const Document& document, const Needs& needs) {
     nlohmann::ordered_json feature{{"name", share.feature.name},           {"used", share.used},
                                    {"error_without", share.error_without}, {"cost_share", share.cost_share},
                                    {"work_share", share.work_share},       {"increase", share.increase}};
-    if (!share.used) feature["reason"] = share.reason;
+    if (!share.used) feature["reason"] = text_of(share.reason);
     json["features"].push_back(std::move(feature));
   }
   json["trail"] = nlohmann::ordered_json::array();

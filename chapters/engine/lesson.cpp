@@ -93,7 +93,7 @@ std::optional<std::string> why_not_here(const Lesson& lesson) {
   const RendererKind& kind = renderer_kind(settings.renderer);
   const auto reason = kind.inactive ? kind.inactive(settings, SceneTraits{}) : std::nullopt;
   if (!reason) return {};
-  return std::string(*reason);
+  return reason->text();
 }
 
 Lesson load_lesson(const std::string& name) {

@@ -54,26 +54,29 @@ const Lack* find(std::string_view key) {
 
 std::span<const Lack> lacks() { return all_lacks; }
 
-std::optional<std::string_view> lacks_option(const Option& option, const Settings&) {
+std::optional<IdleReason> lacks_option(const Option& option, const Settings&) {
   const Lack* lack = find(option.key);
   if (!lack || lack->values) return {};
-  return lack->reason;
+  return IdleReason(IdleReason::Kind::renderer, lack->reason);
 }
 
-std::optional<std::string_view> lacks_value(const Option& option, double value, const Settings& settings) {
+std::optional<IdleReason> lacks_value(const Option& option, double value, const Settings& settings) {
   const bool at_vertices = settings.lighting && settings.shading != Shading::phong;
   const auto is = [&](std::string_view key, auto choice) {
     return option.key == key && value == static_cast<double>(choice);
   };
   // Light computed at vertices is drawn light by light, each where its shadow map lets it through.
   if (is("shadows", Shadows::map) && at_vertices && settings.visibility != Visibility::depth_buffer)
-    return "shadow maps of the hardware renderer need shading = phong or visibility = depth-buffer";
+    return IdleReason({{"shading", static_cast<double>(Shading::phong)},
+                       {"visibility", static_cast<double>(Visibility::depth_buffer)}})
+        .said("shadow maps of the hardware renderer need shading = phong or visibility = depth-buffer");
   const bool by_light = settings.shadows != Shadows::none && settings.shadows != Shadows::traced;
   if (is("deferred-shading", true) && at_vertices && by_light)
-    return "a buffer that holds the light of vertices holds the sum of all lights, and shadows need each by itself";
+    return needs("shading", Shading::phong)
+        .said("a buffer that holds the light of vertices holds the sum of all lights, and shadows need each by itself");
   const Lack* lack = find(option.key);
   if (!lack || !lack->values || !lack->values(value)) return {};
-  return lack->reason;
+  return IdleReason(IdleReason::Kind::renderer, lack->reason);
 }
 
 }  // namespace ps::hardware

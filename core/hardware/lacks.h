@@ -19,7 +19,7 @@ struct Lack {
 std::span<const Lack> lacks();
 
 /// For RendererKind: the reason of an option or of a value, or nothing.
-std::optional<std::string_view> lacks_option(const Option& option, const Settings& settings);
-std::optional<std::string_view> lacks_value(const Option& option, double value, const Settings& settings);
+std::optional<IdleReason> lacks_option(const Option& option, const Settings& settings);
+std::optional<IdleReason> lacks_value(const Option& option, double value, const Settings& settings);
 
 }  // namespace ps::hardware

@@ -33,10 +33,10 @@ std::vector<LeftOut> left_out(const SceneTraits& traits, const Settings& setting
   return all;
 }
 
-std::optional<std::string_view> why_unavailable(const Settings&, const SceneTraits&) {
+std::optional<IdleReason> why_unavailable(const Settings&, const SceneTraits&) {
   const hardware::Availability& available = hardware::availability();
   if (available.driver) return {};
-  return available.reason;
+  return IdleReason(std::string_view(available.reason));
 }
 
 bool shows_objects(const SceneTraits& traits, const Settings&) {

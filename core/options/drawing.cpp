@@ -4,7 +4,7 @@ namespace ps::rows {
 namespace {
 
 Reason needs_filling(const Settings& s, const SceneTraits&) {
-  if (s.draw != Draw::filled) return "needs draw = filled";
+  if (s.draw != Draw::filled) return needs("draw", Draw::filled);
   return {};
 }
 
@@ -13,24 +13,26 @@ Reason needs_filling(const Settings& s, const SceneTraits&) {
 Reason needs_edges_of_fills(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_filling(s, t)) return reason;
   const bool in_space = t.triangles || t.spheres || t.solids;
-  if (t.canvas_triangles && s.canvas_fill == CanvasFill::rows && !in_space) return "needs canvas-fill = edge-functions";
+  if (t.canvas_triangles && s.canvas_fill == CanvasFill::rows && !in_space)
+    return needs("canvas-fill", CanvasFill::edges);
   return {};
 }
 
 Reason needs_single_samples(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_filling(s, t)) return reason;
-  if (s.multisampling > 1) return "needs multisampling = 1: sub-samples are tested with edge functions";
+  if (s.multisampling > 1) return needs("multisampling", 1).because("sub-samples are tested with edge functions");
   return {};
 }
 
 Reason needs_edge_functions(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_single_samples(s, t)) return reason;
-  if (s.coverage != Coverage::edge_function) return "needs coverage = edge-function";
+  if (s.coverage != Coverage::edge_function) return needs("coverage", Coverage::edge_function);
   return {};
 }
 
 Reason needs_lines(const Settings& s, const SceneTraits& t) {
-  if (s.draw != Draw::wireframe && !t.canvas_items) return "needs draw = wireframe or a scene with lines";
+  if (s.draw != Draw::wireframe && !t.canvas_items)
+    return needs("draw", Draw::wireframe).said("needs draw = wireframe or a scene with lines");
   return {};
 }
 

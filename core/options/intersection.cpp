@@ -15,7 +15,8 @@ Reason needs_traced_triangles(const Settings&, const SceneTraits& t) {
 
 Reason needs_moeller_trumbore(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_traced_triangles(s, t)) return reason;
-  if (!row_of(s.triangle_test).has_epsilon) return "no effect: this triangle test has no epsilon";
+  if (!row_of(s.triangle_test).has_epsilon)
+    return needs("triangle-test", TriangleTest::moeller_trumbore).said("no effect: this triangle test has no epsilon");
   return {};
 }
 

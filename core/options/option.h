@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "options/idle_reason.h"
 #include "options/renderer_kind.h"
 #include "options/settings.h"
 #include "scene/scene.h"
@@ -18,7 +19,7 @@ struct Choice {
   std::string_view label;  ///< for people: "depth buffer"
   std::string_view help;   ///< one sentence
   /// Why another value is used instead with these settings and this scene, or nothing. May be nullptr: never.
-  std::optional<std::string_view> (*inactive)(const Settings&, const SceneTraits&) = nullptr;
+  std::optional<IdleReason> (*inactive)(const Settings&, const SceneTraits&) = nullptr;
 };
 
 /// Three short texts that make the tooltip.
@@ -75,7 +76,7 @@ struct Option {
   std::string_view only_for{};
   /// Why the option cannot act with these settings and this scene ("needs a texture"), or nothing if it can. Asked only
   /// for renderers that `acts_for` names. May be nullptr: it always can.
-  std::optional<std::string_view> (*inactive)(const Settings&, const SceneTraits&) = nullptr;
+  std::optional<IdleReason> (*inactive)(const Settings&, const SceneTraits&) = nullptr;
 
   OptionNumber default_value() const { return get(Settings{}); }
 };
@@ -97,13 +98,12 @@ void parse_assignment(std::string_view assignment, Settings& settings);
 /// Only the options that differ from the defaults, as "key=value" in table order.
 std::vector<std::string> changed_options(const Settings& settings);
 /// Why the option cannot act now, or nothing: the renderer does not use it, or its own reason.
-std::optional<std::string_view> inactive_reason(const Option& option, const Settings& settings,
-                                                const SceneTraits& traits);
+std::optional<IdleReason> inactive_reason(const Option& option, const Settings& settings, const SceneTraits& traits);
 /// Why this choice of an option, which can act, would not act now, or nothing. `choice` is one of option.choices.
-std::optional<std::string_view> inactive_choice_reason(const Option& option, const Choice& choice,
-                                                       const Settings& settings, const SceneTraits& traits);
+std::optional<IdleReason> inactive_choice_reason(const Option& option, const Choice& choice, const Settings& settings,
+                                                 const SceneTraits& traits);
 /// The same for the value that `settings` hold, also where it is not a choice.
-std::optional<std::string_view> inactive_value_reason(const Option& option, const Settings& settings,
-                                                      const SceneTraits& traits);
+std::optional<IdleReason> inactive_value_reason(const Option& option, const Settings& settings,
+                                                const SceneTraits& traits);
 
 }  // namespace ps

@@ -5,7 +5,7 @@ namespace {
 
 Reason needs_mirrors(const Settings& s, const SceneTraits& t) {
   if (!t.reflective) return "no material of the scene reflects";
-  if (s.draw != Draw::filled) return "needs draw = filled";
+  if (s.draw != Draw::filled) return needs("draw", Draw::filled);
   return {};
 }
 
@@ -41,7 +41,8 @@ std::vector<Option> reflection_rows() {
            .acts_for = ActsFor::rays,
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (const auto reason = needs_bouncing_rays(s, t)) return reason;
-             if (s.reflection_depth == 0) return "needs reflection-depth above 0";
+             if (s.reflection_depth == 0)
+               return needs("reflection-depth", Settings{}.reflection_depth).said("needs reflection-depth above 0");
              return {};
            }},
           0, 1, OptionScale::linear),
@@ -56,8 +57,9 @@ std::vector<Option> reflection_rows() {
            .acts_for = ActsFor::rays,
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (const auto reason = needs_bouncing_rays(s, t)) return reason;
-             if (s.reflection_depth == 0) return "needs reflection-depth above 0";
-             if (s.self_hit == SelfHit::offset) return "needs self-hit = epsilon or normal-bump";
+             if (s.reflection_depth == 0)
+               return needs("reflection-depth", Settings{}.reflection_depth).said("needs reflection-depth above 0");
+             if (s.self_hit == SelfHit::offset) return needs("self-hit", SelfHit::epsilon, SelfHit::normal_bump);
              return {};
            }},
           0, 10, OptionScale::logarithmic),
@@ -71,7 +73,8 @@ std::vector<Option> reflection_rows() {
            .acts_for = ActsFor::rays,
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (!t.transparent) return "no material of the scene is transparent";
-             if (s.reflection_depth == 0) return "needs reflection-depth above 0";
+             if (s.reflection_depth == 0)
+               return needs("reflection-depth", Settings{}.reflection_depth).said("needs reflection-depth above 0");
              return {};
            }}),
       choice<&Settings::transparency>(
@@ -86,8 +89,9 @@ std::vector<Option> reflection_rows() {
            .acts_for = ActsFor::rays,
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (!t.transparent) return "no material of the scene is transparent";
-             if (s.reflection_depth == 0) return "needs reflection-depth above 0";
-             if (!s.refraction) return "needs refraction = on";
+             if (s.reflection_depth == 0)
+               return needs("reflection-depth", Settings{}.reflection_depth).said("needs reflection-depth above 0");
+             if (!s.refraction) return needs("refraction", true);
              return {};
            }},
           {{"fixed", "fixed shares", "The material's transparency is transmitted at every angle."},
@@ -121,7 +125,8 @@ std::vector<Option> reflection_rows() {
            .acts_for = ActsFor::fragments,
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (const auto reason = needs_mirrors(s, t)) return reason;
-             if (s.environment == Environment::none) return "needs environment = cube-map or room-map";
+             if (s.environment == Environment::none)
+               return needs("environment", Environment::cube_map, Environment::room_map);
              if (!t.dynamic) return "no object of the scene is dynamic";
              return {};
            }},
@@ -138,7 +143,8 @@ std::vector<Option> reflection_rows() {
            .acts_for = ActsFor::fragments,
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (const auto reason = needs_mirrors(s, t)) return reason;
-             if (s.environment == Environment::none) return "needs environment = cube-map or room-map";
+             if (s.environment == Environment::none)
+               return needs("environment", Environment::cube_map, Environment::room_map);
              return {};
            }},
           8, 1024, "px"),

@@ -112,14 +112,16 @@ Option listing_row() {
 }
 
 Reason unless_it_runs(std::string_view folder, const Settings& settings, const SceneTraits& traits) {
-  return listing_of(settings, traits).folder == folder ? Reason{} : "a bug of another listing";
+  return listing_of(settings, traits).folder == folder
+             ? Reason{}
+             : IdleReason(IdleReason::Kind::renderer, "a bug of another listing");
 }
 
 Reason listing_has_no_bugs(const Settings& settings, const SceneTraits& traits) {
   const std::string& folder = listing_of(settings, traits).folder;
   const auto all = listing_bugs();
   const bool has = std::any_of(all.begin(), all.end(), [&](const ListingBug& bug) { return bug.folder == folder; });
-  return has ? Reason{} : "this listing has no variants with a bug";
+  return has ? Reason{} : IdleReason(IdleReason::Kind::renderer, "this listing has no variants with a bug");
 }
 
 std::vector<Choice> bug_choices() {

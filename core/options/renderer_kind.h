@@ -3,6 +3,7 @@
 #include <span>
 #include <string_view>
 
+#include "options/idle_reason.h"
 #include "options/settings.h"
 
 namespace ps {
@@ -41,11 +42,11 @@ struct RendererKind {
   std::optional<bool> (*reads)(const Option&, const Settings&, const SceneTraits&) = nullptr;
   std::string_view unread{};  ///< said of options that it does not use: "the listing does not use it"
   /// Why it does not use an option that its way of making pictures knows, or nothing. May be nullptr: it uses all.
-  std::optional<std::string_view> (*lacks_option)(const Option&, const Settings&) = nullptr;
+  std::optional<IdleReason> (*lacks_option)(const Option&, const Settings&) = nullptr;
   /// Why it cannot act on this value of an option that it uses, or nothing. May be nullptr: it acts on all values.
-  std::optional<std::string_view> (*lacks_value)(const Option&, double value, const Settings&) = nullptr;
+  std::optional<IdleReason> (*lacks_value)(const Option&, double value, const Settings&) = nullptr;
   /// Why it cannot make pictures on this machine, or nothing. May be nullptr: it always can.
-  std::optional<std::string_view> (*inactive)(const Settings&, const SceneTraits&) = nullptr;
+  std::optional<IdleReason> (*inactive)(const Settings&, const SceneTraits&) = nullptr;
   bool added = false;  ///< by a program, to those of core; add_renderer_kind() says so
 };
 

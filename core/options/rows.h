@@ -45,7 +45,7 @@ struct Names {
   Truth truth;
   ActsFor acts_for = ActsFor::rays | ActsFor::fragments;
   std::string_view only_for{};
-  std::optional<std::string_view> (*inactive)(const Settings&, const SceneTraits&) = nullptr;
+  std::optional<IdleReason> (*inactive)(const Settings&, const SceneTraits&) = nullptr;
   OptionEffect effect = OptionEffect::picture;
 };
 
@@ -103,11 +103,14 @@ Option real(const Names& names, double minimum, double maximum, OptionScale scal
   return option;
 }
 
-using Reason = std::optional<std::string_view>;
+using Reason = std::optional<IdleReason>;
+
+/// A value of `far` to offer where any limit will do; scene units.
+inline constexpr double some_far_limit = 10000;
 
 /// Fragments alone can be left out of a triangle. A reason used by several groups.
 inline Reason needs_filled_fragments(const Settings& s) {
-  if (draws_fragments(s.renderer) && s.draw != Draw::filled) return "needs draw = filled";
+  if (draws_fragments(s.renderer) && s.draw != Draw::filled) return needs("draw", Draw::filled);
   return {};
 }
 

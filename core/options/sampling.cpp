@@ -6,20 +6,20 @@ namespace {
 constexpr std::string_view multisampling_instead = "ray tracer only; the rasterizer has multisampling";
 
 Reason needs_several_samples(const Settings& s, const SceneTraits&) {
-  if (s.samples_per_pixel == 1) return "needs samples-per-pixel above 1";
+  if (s.samples_per_pixel == 1) return needs("samples-per-pixel", 4).said("needs samples-per-pixel above 1");
   return {};
 }
 
 Reason needs_adaptive(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_several_samples(s, t)) return reason;
-  if (!s.adaptive_sampling) return "needs adaptive-sampling";
+  if (!s.adaptive_sampling) return needs("adaptive-sampling", true).said("needs adaptive-sampling");
   return {};
 }
 
 Reason needs_one_sample(const Settings& s, const SceneTraits&) {
-  if (s.samples_per_pixel > 1) return "needs samples-per-pixel = 1";
+  if (s.samples_per_pixel > 1) return needs("samples-per-pixel", 1);
   if (s.sample_pattern != SamplePattern::grid)
-    return "needs sample-pattern = grid: it skips pixels at regular distances";
+    return needs("sample-pattern", SamplePattern::grid).because("it skips pixels at regular distances");
   return {};
 }
 

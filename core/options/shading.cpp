@@ -10,7 +10,7 @@ namespace {
 Reason needs_lighting(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_filled_fragments(s)) return reason;
   if (!t.casting_lights) return "the scene has no point or directional light";
-  if (!s.lighting) return "needs lighting = on";
+  if (!s.lighting) return needs("lighting", true);
   return {};
 }
 
@@ -25,8 +25,8 @@ Reason needs_vertex_normals(const Settings& s, const SceneTraits& t) {
 
 Reason needs_interpolated_normals(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_vertex_normals(s, t)) return reason;
-  if (s.normals != Normals::vertex) return "needs normals = vertex";
-  if (draws_fragments(s.renderer) && s.shading != Shading::phong) return "needs shading = phong";
+  if (s.normals != Normals::vertex) return needs("normals", Normals::vertex);
+  if (draws_fragments(s.renderer) && s.shading != Shading::phong) return needs("shading", Shading::phong);
   return {};
 }
 
@@ -38,7 +38,7 @@ Reason needs_highlights(const Settings& s, const SceneTraits& t) {
 
 Reason needs_visible_highlights(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_highlights(s, t)) return reason;
-  if (!s.specular) return "needs specular = on";
+  if (!s.specular) return needs("specular", true);
   return {};
 }
 
@@ -50,12 +50,12 @@ Reason needs_surfaces(const Settings&, const SceneTraits& t) {
 Reason needs_several_lights(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_filled_fragments(s)) return reason;
   if (t.light_count < 2) return "the scene has fewer than two lights";
-  if (!s.lighting) return "needs lighting = on";
+  if (!s.lighting) return needs("lighting", true);
   return {};
 }
 
 Reason needs_attributes(const Settings& s, const SceneTraits&) {
-  if (s.draw != Draw::filled) return "needs draw = filled";
+  if (s.draw != Draw::filled) return needs("draw", Draw::filled);
   return {};
 }
 
@@ -167,7 +167,7 @@ std::vector<Option> shading_rows() {
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (const auto reason = needs_lighting(s, t)) return reason;
              if (!t.attenuated) return "no point light of the scene has attenuation factors";
-             if (s.illumination != Illumination::book) return "needs illumination = book";
+             if (s.illumination != Illumination::book) return needs("illumination", Illumination::book);
              return {};
            }}),
       toggle<&Settings::specular>(

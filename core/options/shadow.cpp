@@ -5,47 +5,48 @@ namespace {
 
 Reason needs_casting_light(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_filled_fragments(s)) return reason;
-  if (!s.lighting) return "needs lighting = on";
+  if (!s.lighting) return needs("lighting", true);
   if (!t.casting_lights) return "the scene has no light that casts shadows";
   return {};
 }
 
 /// Of algorithms that need triangles.
 Reason needs_no_rays(const Settings& s, const SceneTraits&) {
-  if (sends_rays(s.renderer)) return "needs renderer = rasterizer: rays trace their shadows";
+  if (sends_rays(s.renderer))
+    return needs("renderer", renderer_for(PictureWay::fragments)).because("rays trace their shadows");
   return {};
 }
 
 Reason needs_shadow_rays(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_casting_light(s, t)) return reason;
-  if (s.shadows == Shadows::none) return "needs shadows";
+  if (s.shadows == Shadows::none) return needs("shadows", Shadows::traced, Shadows::map).said("needs shadows");
   return {};
 }
 
 Reason needs_shadow_map(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_casting_light(s, t)) return reason;
   // A listing that reads the size or the bias of a map always has one.
-  if (draws_fragments(s.renderer) && s.shadows != Shadows::map) return "needs shadows = map";
+  if (draws_fragments(s.renderer) && s.shadows != Shadows::map) return needs("shadows", Shadows::map);
   return {};
 }
 
 Reason needs_stencil(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_casting_light(s, t)) return reason;
   if (s.shadows != Shadows::stencil_depth_fail && s.shadows != Shadows::stencil_depth_pass)
-    return "needs shadows = stencil-depth-fail or stencil-depth-pass";
-  if (s.visibility != Visibility::depth_buffer) return "needs visibility = depth-buffer";
+    return needs("shadows", Shadows::stencil_depth_fail, Shadows::stencil_depth_pass);
+  if (s.visibility != Visibility::depth_buffer) return needs("visibility", Visibility::depth_buffer);
   return {};
 }
 
 Reason needs_depth_fail(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_stencil(s, t)) return reason;
-  if (s.shadows != Shadows::stencil_depth_fail) return "needs shadows = stencil-depth-fail";
+  if (s.shadows != Shadows::stencil_depth_fail) return needs("shadows", Shadows::stencil_depth_fail);
   return {};
 }
 
 Reason needs_cut_volumes(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_depth_fail(s, t)) return reason;
-  if (s.far >= no_far_limit) return "needs a far limit";
+  if (s.far >= no_far_limit) return needs("far", some_far_limit).said("needs a far limit");
   return {};
 }
 
@@ -54,19 +55,23 @@ Reason needs_secondary_rays(const Settings& s, const SceneTraits& t) {
   if (!t.casting_lights && !bounces) return "the scene has no light that casts shadows, and no mirror or glass";
   const bool shadows = s.lighting && t.casting_lights && s.shadows != Shadows::none;
   const bool mirrors = bounces && s.reflection_depth > 0;
-  if (!shadows && !mirrors) return "needs shadows or reflections";
+  if (!shadows && !mirrors)
+    return IdleReason({{"shadows", static_cast<double>(Shadows::traced)},
+                       {"reflection-depth", static_cast<double>(Settings{}.reflection_depth)},
+                       {"lighting", 1}})
+        .said("needs shadows or reflections");
   return {};
 }
 
 Reason needs_shadow_epsilon(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_shadow_rays(s, t)) return reason;
-  if (s.self_hit == SelfHit::offset) return "needs self-hit = epsilon or normal-bump";
+  if (s.self_hit == SelfHit::offset) return needs("self-hit", SelfHit::epsilon, SelfHit::normal_bump);
   return {};
 }
 
 Reason needs_epsilon(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_secondary_rays(s, t)) return reason;
-  if (s.self_hit != SelfHit::epsilon) return "needs self-hit = epsilon";
+  if (s.self_hit != SelfHit::epsilon) return needs("self-hit", SelfHit::epsilon);
   return {};
 }
 

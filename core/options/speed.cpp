@@ -5,28 +5,30 @@ namespace ps::rows {
 namespace {
 
 Reason needs_octree(const Settings& s, const SceneTraits&) {
-  if (s.accelerator != Accelerator::octree) return "needs accelerator = octree";
+  if (s.accelerator != Accelerator::octree) return needs("accelerator", Accelerator::octree);
   return {};
 }
 
 Reason needs_any_hit(const Settings& s, const SceneTraits& t) {
   if (!t.casting_lights) return "no light casts shadows";
-  if (s.shadows == Shadows::none) return "needs shadows";
-  if (!s.shadow_any_hit) return "needs shadow-any-hit";
+  if (s.shadows == Shadows::none) return needs("shadows", Shadows::traced, Shadows::map).said("needs shadows");
+  if (!s.shadow_any_hit) return needs("shadow-any-hit", true).said("needs shadow-any-hit");
   return {};
 }
 
 Reason needs_single(const Settings& s, const SceneTraits&) {
-  if (s.precision != Precision::float32) return "Embree supports single precision only: the BVH is used instead";
+  if (s.precision != Precision::float32)
+    return needs("precision", Precision::float32)
+        .said("Embree supports single precision only: the BVH is used instead");
   return {};
 }
 
 Reason needs_boxes(const Settings& s, const SceneTraits& t) {
   if (s.accelerator == Accelerator::none || s.accelerator == Accelerator::bounding_spheres)
-    return "no effect: the accelerator has no boxes";
+    return needs("accelerator", Accelerator::box).said("no effect: the accelerator has no boxes");
   const bool others = t.spheres || t.solids || t.csg;
   if (s.accelerator == Accelerator::embree && !needs_single(s, t) && !others)
-    return "no effect: Embree tests its boxes itself";
+    return needs("accelerator", Accelerator::box).said("no effect: Embree tests its boxes itself");
   return {};
 }
 

@@ -112,23 +112,23 @@ std::vector<std::string> changed_options(const Settings& settings) {
   return changed;
 }
 
-std::optional<std::string_view> inactive_reason(const Option& option, const Settings& settings,
-                                                const SceneTraits& traits) {
+std::optional<IdleReason> inactive_reason(const Option& option, const Settings& settings, const SceneTraits& traits) {
+  using enum IdleReason::Kind;
   const RendererKind& kind = renderer_kind(settings.renderer);
   if (kind.lacks_option && acts_for(option.acts_for, kind.way))
     if (const auto reason = kind.lacks_option(option, settings)) return reason;
   if (kind.reads)
     if (const auto reads = kind.reads(option, settings, traits)) {
-      if (!*reads) return kind.unread;
+      if (!*reads) return IdleReason(renderer, kind.unread);
       if (!acts_for(option.acts_for, kind.way)) return {};
     }
   if (!acts_for(option.acts_for, kind.way))
-    return option.only_for.empty() ? only_for(option.acts_for) : option.only_for;
+    return IdleReason(renderer, option.only_for.empty() ? only_for(option.acts_for) : option.only_for);
   return option.inactive ? option.inactive(settings, traits) : std::nullopt;
 }
 
-std::optional<std::string_view> inactive_choice_reason(const Option& option, const Choice& choice,
-                                                       const Settings& settings, const SceneTraits& traits) {
+std::optional<IdleReason> inactive_choice_reason(const Option& option, const Choice& choice, const Settings& settings,
+                                                 const SceneTraits& traits) {
   if (choice.inactive)
     if (const auto reason = choice.inactive(settings, traits)) return reason;
   const RendererKind& kind = renderer_kind(settings.renderer);
@@ -136,8 +136,8 @@ std::optional<std::string_view> inactive_choice_reason(const Option& option, con
                           : std::nullopt;
 }
 
-std::optional<std::string_view> inactive_value_reason(const Option& option, const Settings& settings,
-                                                      const SceneTraits& traits) {
+std::optional<IdleReason> inactive_value_reason(const Option& option, const Settings& settings,
+                                                const SceneTraits& traits) {
   if (option.kind == OptionKind::choice)
     return inactive_choice_reason(option, chosen(option, settings), settings, traits);
   const RendererKind& kind = renderer_kind(settings.renderer);

@@ -11,17 +11,17 @@ Reason needs_texture(const Settings& s, const SceneTraits& t) {
 
 Reason needs_textures_on(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_texture(s, t)) return reason;
-  if (!s.textures) return "needs textures = on";
+  if (!s.textures) return needs("textures", true);
   return {};
 }
 
 Reason needs_normal_map(const Settings& s, const SceneTraits& t) {
   if (!t.normal_maps) return "the scene has no normal map";
-  if (!s.lighting) return "needs lighting";
+  if (!s.lighting) return needs("lighting", true).said("needs lighting");
   if (sends_rays(s.renderer)) return {};
-  if (s.draw != Draw::filled) return "needs draw = filled";
+  if (s.draw != Draw::filled) return needs("draw", Draw::filled);
   if (s.shading != Shading::phong)
-    return "needs shading = phong: other shading evaluates the lighting per vertex or triangle";
+    return needs("shading", Shading::phong).because("other shading evaluates the lighting per vertex or triangle");
   return {};
 }
 
@@ -33,14 +33,15 @@ Reason needs_height_map(const Settings& s, const SceneTraits& t) {
 
 Reason needs_relief_steps(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_height_map(s, t)) return reason;
-  if (s.parallax != Parallax::steep && s.parallax != Parallax::occlusion) return "needs parallax = steep or occlusion";
+  if (s.parallax != Parallax::steep && s.parallax != Parallax::occlusion)
+    return needs("parallax-mapping", Parallax::steep, Parallax::occlusion).said("needs parallax = steep or occlusion");
   return {};
 }
 
 Reason needs_mipmaps(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_textures_on(s, t)) return reason;
   if (s.texture_filter != TextureFilter::trilinear && s.texture_filter != TextureFilter::mipmap)
-    return "needs texture-filter = mipmap or trilinear";
+    return needs("texture-filter", TextureFilter::mipmap, TextureFilter::trilinear);
   return {};
 }
 

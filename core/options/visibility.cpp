@@ -4,33 +4,35 @@ namespace ps::rows {
 namespace {
 
 Reason needs_depth_buffer(const Settings& s, const SceneTraits&) {
-  if (s.visibility != Visibility::depth_buffer) return "needs visibility = depth-buffer";
+  if (s.visibility != Visibility::depth_buffer) return needs("visibility", Visibility::depth_buffer);
   return {};
 }
 
 /// A pass that first determines the visible surfaces needs a depth buffer with one sample per pixel.
 Reason needs_passes(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_depth_buffer(s, t)) return reason;
-  if (s.draw != Draw::filled) return "needs draw = filled";
-  if (s.multisampling > 1) return "needs multisampling = 1";
+  if (s.draw != Draw::filled) return needs("draw", Draw::filled);
+  if (s.multisampling > 1) return needs("multisampling", 1);
   return {};
 }
 Reason needs_single_pass_lights(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_passes(s, t)) return reason;
   if (s.light_passes == LightPasses::many && s.lighting && s.shading == Shading::phong)
-    return "no effect: light-passes = many already starts with a depth pass";
+    return needs("light-passes", LightPasses::one)
+        .said("no effect: light-passes = many already starts with a depth pass");
   return {};
 }
 Reason needs_early_depth(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_single_pass_lights(s, t)) return reason;
-  if (s.deferred_shading) return "no effect: deferred shading shades only visible surfaces";
+  if (s.deferred_shading)
+    return needs("deferred-shading", false).said("no effect: deferred shading shades only visible surfaces");
   return {};
 }
 Reason needs_light_passes(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_passes(s, t)) return reason;
-  if (!s.lighting) return "needs lighting";
+  if (!s.lighting) return needs("lighting", true).said("needs lighting");
   if (s.shading != Shading::phong)
-    return "needs shading = phong: other shading evaluates the lighting per vertex or triangle";
+    return needs("shading", Shading::phong).because("other shading evaluates the lighting per vertex or triangle");
   return {};
 }
 
@@ -38,17 +40,19 @@ Reason needs_light_passes(const Settings& s, const SceneTraits& t) {
 Reason needs_range(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_depth_buffer(s, t)) return reason;
   if (s.depth_value != DepthValue::inverse_z && s.far >= no_far_limit)
-    return "needs a far limit, unless depth-value = inverse-z";
+    return IdleReason({{"depth-value", static_cast<double>(DepthValue::inverse_z)}, {"far", some_far_limit}})
+        .said("needs a far limit, unless depth-value = inverse-z");
   return {};
 }
 Reason needs_integers(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_range(s, t)) return reason;
-  if (s.depth_format != DepthFormat::unorm) return "needs depth-format = unorm";
+  if (s.depth_format != DepthFormat::unorm) return needs("depth-format", DepthFormat::unorm);
   return {};
 }
 Reason needs_unit_range(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_range(s, t)) return reason;
-  if (s.depth_format == DepthFormat::plain) return "needs a depth-format from 0 to 1";
+  if (s.depth_format == DepthFormat::plain)
+    return needs("depth-format", DepthFormat::unit_float, DepthFormat::unorm).said("needs a depth-format from 0 to 1");
   return {};
 }
 

@@ -3,71 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <set>
+#include <optional>
 
-#include "base/number_text.h"
 #include "options/listing.h"
 
 namespace ps {
 namespace {
 
-constexpr std::size_t most_settings = 4;  // that are searched for; no row of the table needs as many
+constexpr std::size_t most_kept = 8;  // on the way; no row of the table needs as many
 
-using Reason = std::optional<std::string_view>;
+/// Whether a listing may be asked to draw in place of a renderer: it shows less of most scenes.
+enum class Listings { as_set, any };
 
-Reason reason_of(const Option& option, const Settings& settings, const SceneTraits& traits) {
-  if (const Reason reason = inactive_reason(option, settings, traits)) return reason;
+using Steps = std::vector<OptionValue>;
+
+std::optional<IdleReason> reason_of(const Option& option, const Settings& settings, const SceneTraits& traits) {
+  if (const auto reason = inactive_reason(option, settings, traits)) return reason;
   return inactive_value_reason(option, settings, traits);
-}
-
-/// The default, what a sweep tries (the nearest first), and the smallest values: more of a number costs more.
-std::vector<OptionNumber> numbers_of(const Option& option, OptionNumber now) {
-  std::vector<OptionNumber> swept;
-  for (std::string_view rest = option.sweep_values; !rest.empty();) {
-    const std::string_view one = rest.substr(0, rest.find(','));
-    if (const auto number = parse_number(one)) swept.push_back(*number);
-    rest.remove_prefix(std::min(rest.size(), one.size() + 1));
-  }
-  const auto away = [&](OptionNumber value) {
-    return option.scale == OptionScale::logarithmic ? std::abs(std::log(value) - std::log(now)) : std::abs(value - now);
-  };
-  std::stable_sort(swept.begin(), swept.end(), [&](auto one, auto other) { return away(one) < away(other); });
-  std::vector<OptionNumber> values{option.default_value()};
-  values.insert(values.end(), swept.begin(), swept.end());
-  if (option.kind == OptionKind::integer) values.insert(values.end(), {option.minimum, option.minimum + 1});
-  return values;
-}
-
-std::vector<OptionNumber> values_of(const Option& option, OptionNumber now) {
-  switch (option.kind) {
-  case OptionKind::boolean:
-    return {1, 0};
-  case OptionKind::choice: {
-    std::vector<OptionNumber> values(option.choices.size());
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<OptionNumber>(i);
-    return values;
-  }
-  case OptionKind::integer:
-  case OptionKind::real:
-    return numbers_of(option, now);
-  }
-  return {};
-}
-
-/// Whether a reason has a key in its words: "depth-buffer" in "needs a depth buffer".
-bool mentions(std::string_view reason, std::string_view key) {
-  const auto same = [](char one, char other) { return one == other || (one == ' ' && other == '-'); };
-  return std::search(reason.begin(), reason.end(), key.begin(), key.end(), same) != reason.end();
-}
-
-/// How well a setting answers a reason: above all it is the option that the reason names.
-int answers(std::string_view reason, const Option& option, OptionNumber value) {
-  int score = mentions(reason, option.key) ? 4 : 0;
-  if (option.kind == OptionKind::choice && mentions(reason, option.choices[static_cast<std::size_t>(value)].key))
-    score += 2;
-  return score;
 }
 
 /// Does the listing show nothing of the scene? Then it is not suggested.
@@ -75,92 +27,84 @@ bool shows_nothing(const Settings& settings, const SceneTraits& traits) {
   return runs_listing(settings.renderer) && listing_of(settings, traits).listing->suits(traits, settings) == 0;
 }
 
-/// Whether a listing may be asked to draw in place of a renderer: it shows less of most scenes.
-enum class Listings { as_set, any };
-
-/// Settings on the way to those under which the option acts.
-struct Stage {
-  Settings settings;
-  std::vector<OptionValue> set;
-  Reason reason;  ///< nothing: the option acts
-  int score = 0;
-};
-
-/// Of a scene that has everything.
-SceneTraits all_traits() {
-  SceneTraits all;
-  for (bool SceneTraits::*const trait : {&SceneTraits::spheres,
-                                         &SceneTraits::triangles,
-                                         &SceneTraits::vertex_normals,
-                                         &SceneTraits::textures,
-                                         &SceneTraits::normal_maps,
-                                         &SceneTraits::height_maps,
-                                         &SceneTraits::reflective,
-                                         &SceneTraits::specular,
-                                         &SceneTraits::casting_lights,
-                                         &SceneTraits::solids,
-                                         &SceneTraits::csg,
-                                         &SceneTraits::transparent,
-                                         &SceneTraits::attenuated,
-                                         &SceneTraits::point_lights,
-                                         &SceneTraits::patches,
-                                         &SceneTraits::light_maps,
-                                         &SceneTraits::opacity_maps,
-                                         &SceneTraits::reflection_maps,
-                                         &SceneTraits::mirrors,
-                                         &SceneTraits::canvas_items,
-                                         &SceneTraits::canvas_triangles,
-                                         &SceneTraits::canvas_intensities,
-                                         &SceneTraits::canvas_gradients,
-                                         &SceneTraits::tinted,
-                                         &SceneTraits::coloured_lights,
-                                         &SceneTraits::odd_highlights,
-                                         &SceneTraits::any_transparency,
-                                         &SceneTraits::one_sided,
-                                         &SceneTraits::dynamic})
-    all.*trait = true;
-  all.light_count = std::numeric_limits<std::size_t>::max();
-  return all;
+void add_choices(const Option& option, Steps& steps) {
+  for (std::size_t i = 0; i < option.choices.size(); ++i) steps.push_back({&option, static_cast<OptionNumber>(i)});
 }
 
-/// Whether it is the scene that lacks something: in another one the same settings give another reason, or none.
-bool is_of_scene(const Option& option, const Stage& stage) {
-  static const SceneTraits all = all_traits();
-  if (stage.reason == renderer_kind(stage.settings.renderer).unread) return false;
-  return stage.reason && reason_of(option, stage.settings, all) != stage.reason;
-}
+/// Follows reasons: what one needs is set, and before it what that needs itself.
+class Resolver {
+ public:
+  Resolver(const SceneTraits& traits, Listings listings) : traits_(traits), listings_(listings) {}
 
-/// All stages that one more setting leads to. What cannot be set, because the scene lacks what that is about, goes to
-/// `missing`.
-void add_next(const Option& wanted, const Stage& from, const SceneTraits& traits, Listings listings,
-              std::vector<Stage>& next, std::string_view& missing) {
-  for (const Option& option : option_table()) {
-    if (&option == &wanted) continue;
-    if (std::any_of(from.set.begin(), from.set.end(), [&](const OptionValue& set) { return set.option == &option; }))
-      continue;
-    const OptionNumber now = option.get(from.settings);
-    for (const OptionNumber value : values_of(option, now)) {
-      if (value == now) continue;
-      Settings settings = from.settings;
-      option.set(settings, value);
-      const Reason reason = reason_of(wanted, settings, traits);
-      if (reason == from.reason) continue;
-      if (listings == Listings::as_set && runs_listing(settings.renderer) && !runs_listing(from.settings.renderer))
-        continue;
-      if (shows_nothing(settings, traits)) {
-        if (missing.empty()) missing = "the listings that use it show nothing of this scene";
-        continue;
-      }
-      if (const Reason own = reason_of(option, settings, traits)) {
-        if (is_of_scene(option, {settings, {}, own})) missing = *own;
-        continue;
-      }
-      Stage stage{settings, from.set, reason, from.score + answers(*from.reason, option, value)};
-      stage.set.push_back({&option, value});
-      next.push_back(std::move(stage));
+  /// The fewest settings under which the option acts; of equally few, the ones that reasons name first.
+  /// `kept`: options that must stay as they are.
+  std::optional<Steps> steps_to(const Option& option, const Settings& settings, std::vector<const Option*> kept) {
+    const auto reason = reason_of(option, settings, traits_);
+    if (!reason) return Steps{};
+    note_missing(*reason);
+    if (kept.size() > most_kept) return {};
+    kept.push_back(&option);
+    std::optional<Steps> best;
+    for (const OptionValue& set : answers_to(*reason, settings)) {
+      if (std::find(kept.begin(), kept.end(), set.option) != kept.end()) continue;
+      auto steps = steps_by(option, *reason, set, settings, kept);
+      if (steps && (!best || steps->size() < best->size())) best = std::move(steps);
     }
+    return best;
   }
-}
+
+  /// The first reason on the way that no setting answers.
+  const std::string& missing() const { return missing_.empty() ? in_the_way_ : missing_; }
+
+ private:
+  void note_missing(const IdleReason& reason) {
+    if (missing_.empty() && reason.kind() == IdleReason::Kind::missing) missing_ = reason.text();
+  }
+
+  /// The settings that begin with making this one possible.
+  std::optional<Steps> steps_by(const Option& option, const IdleReason& reason, const OptionValue& set,
+                                Settings settings, std::vector<const Option*> kept) {
+    if (set.option->get(settings) == set.value) return {};
+    set.option->set(settings, set.value);
+    if (reason.kind() != IdleReason::Kind::setting) {
+      const auto next = reason_of(option, settings, traits_);
+      const bool another_listing = set.option->key == "renderer" && runs_listing(settings.renderer);
+      if (next) note_missing(*next);
+      if (next && next->kind() != IdleReason::Kind::setting && !another_listing) return {};
+    }
+    if (shows_nothing(settings, traits_)) {
+      if (in_the_way_.empty()) in_the_way_ = "the listings that use it show nothing of this scene";
+      return {};
+    }
+    auto steps = steps_to(*set.option, settings, kept);
+    if (!steps) return {};
+    steps->push_back(set);
+    for (const OptionValue& each : *steps) {
+      each.option->set(settings, each.value);
+      kept.push_back(each.option);
+    }
+    const auto rest = steps_to(option, settings, kept);
+    if (!rest) return {};
+    steps->insert(steps->end(), rest->begin(), rest->end());
+    return steps;
+  }
+
+  Steps answers_to(const IdleReason& reason, const Settings& settings) const {
+    Steps answers;
+    for (const Need& need : reason.needs()) answers.push_back({find_option(need.option), need.value});
+    if (reason.kind() == IdleReason::Kind::setting) return answers;
+    // Another renderer may do without the thing that a scene lacks.
+    if (runs_listing(settings.renderer)) add_choices(*find_option("listing"), answers);
+    add_choices(*find_option("renderer"), answers);
+    if (listings_ == Listings::as_set && !runs_listing(settings.renderer))
+      std::erase_if(answers, [](const OptionValue& set) { return runs_listing(static_cast<Renderer>(set.value)); });
+    return answers;
+  }
+
+  const SceneTraits& traits_;
+  const Listings listings_;
+  std::string missing_, in_the_way_;
+};
 
 std::string value_words(const OptionValue& set) {
   const Option& option = *set.option;
@@ -170,35 +114,39 @@ std::string value_words(const OptionValue& set) {
   return fmt::format("{} = {}", option.label, set.value);
 }
 
-Waking search(const Option& option, const Settings& settings, const SceneTraits& traits, Listings listings) {
-  std::vector<Stage> stages{{settings, {}, reason_of(option, settings, traits), 0}};
-  if (!stages.front().reason) return {};
-  std::string_view missing = *stages.front().reason, in_the_way;
-  bool of_scene = is_of_scene(option, stages.front());
-  std::set<std::string_view> met{missing};
-  for (std::size_t count = 1; count <= most_settings && !stages.empty(); ++count) {
-    std::vector<Stage> next;
-    for (const Stage& stage : stages) add_next(option, stage, traits, listings, next, in_the_way);
-    std::stable_sort(next.begin(), next.end(), [](const Stage& a, const Stage& b) { return a.score > b.score; });
-    const auto acts = std::find_if(next.begin(), next.end(), [](const Stage& stage) { return !stage.reason; });
-    if (acts != next.end()) return {acts->set, {}};
-    // Of all ways to the same next reason the best goes on.
-    std::erase_if(next, [&](const Stage& stage) { return !met.insert(*stage.reason).second; });
-    for (const Stage& stage : next) {
-      if (of_scene || !is_of_scene(option, stage)) continue;
-      of_scene = true;
-      missing = *stage.reason;
-    }
-    stages = std::move(next);
+/// Drops settings that only the renderer before the last one needed.
+Steps without_needless(Steps steps, const Option& option, const Settings& settings, const SceneTraits& traits) {
+  for (std::size_t i = 0; i < steps.size();) {
+    Waking less;
+    for (std::size_t k = 0; k < steps.size(); ++k)
+      if (k != i) less.settings.push_back(steps[k]);
+    Settings then = settings;
+    wake(less, then);
+    if (reason_of(option, then, traits))
+      ++i;
+    else
+      steps = less.settings;
   }
-  return {{}, of_scene || in_the_way.empty() ? missing : in_the_way};
+  return steps;
 }
 
 }  // namespace
 
 Waking waking_of(const Option& option, const Settings& settings, const SceneTraits& traits) {
-  Waking waking = search(option, settings, traits, Listings::as_set);
-  if (!waking.missing.empty()) waking = search(option, settings, traits, Listings::any);
+  const auto reason = reason_of(option, settings, traits);
+  if (!reason) return {};
+  Waking waking;
+  waking.reason = reason->text();
+  for (const Listings listings : {Listings::as_set, Listings::any}) {
+    Resolver resolver(traits, listings);
+    if (const auto steps = resolver.steps_to(option, settings, {})) {
+      waking.settings = without_needless(*steps, option, settings, traits);
+      waking.missing.clear();
+      return waking;
+    }
+    waking.missing = resolver.missing();
+  }
+  if (waking.missing.empty()) waking.missing = waking.reason;
   return waking;
 }
 
@@ -207,7 +155,7 @@ void wake(const Waking& waking, Settings& settings) {
 }
 
 std::string waking_text(const Waking& waking) {
-  if (waking.settings.empty()) return std::string(waking.missing);
+  if (waking.settings.empty()) return waking.missing;
   std::string text;
   for (const OptionValue& set : waking.settings) text += (text.empty() ? "acts with " : ", ") + value_words(set);
   return text;

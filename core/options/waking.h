@@ -1,6 +1,5 @@
 #pragma once
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "options/option.h"
@@ -19,12 +18,13 @@ struct Waking {
   /// scene lacks what the option is about.
   std::vector<OptionValue> settings;
   /// Where no setting helps: what is missing, in the words of the option table: "the scene has no texture".
-  std::string_view missing;
+  std::string missing;
+  /// Why it cannot act now: "needs textures = on"; empty for an option that acts.
+  std::string reason;
 };
 
-/// Searches the option table for what makes an inactive option act, or the choice that is set. Of answers that set
-/// equally many options, the one whose names the reason has comes first; of numbers, the one nearest to what is set.
-/// Empty in both parts for an option that acts.
+/// Follows the reasons of an inactive option, or of the choice that is set, to what makes it act: as few settings as
+/// possible, and of equally few those that the reasons name first. Empty in all parts for an option that acts.
 Waking waking_of(const Option& option, const Settings& settings, const SceneTraits& traits);
 
 /// Sets all of it.

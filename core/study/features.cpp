@@ -13,8 +13,8 @@ constexpr std::array<Feature, 8> table{{
     {"lighting", "Lighting", "lighting", "no light", "lighting", "off"},
     {"shadows", "Shadows", "shadows", "no shadows", "shadows", "none"},
     {"highlights", "Highlights", "highlights", "no highlights", "specular", "off"},
-    {"reflection", "Reflected and refracted rays", "reflected rays", "nothing to reflect", "reflection-depth", "0"},
-    {"refraction", "Refraction", "refraction", "nothing to refract", "refraction", "off"},
+    {"reflection", "Reflected and refracted rays", "reflected rays", "", "reflection-depth", "0", "reflect"},
+    {"refraction", "Refraction", "refraction", "", "refraction", "off", "refract"},
     {"attenuation", "Attenuation", "attenuation", "no attenuated light", "attenuation", "off"},
     {"textures", "Textures", "textures", "no textures", "textures", "off"},
     {"vertex-normals", "Vertex normals", "vertex normals", "no vertex normals", "normals", "triangle"},
@@ -88,8 +88,7 @@ Settings without(const Feature& feature, const Settings& settings) {
   return less;
 }
 
-std::optional<std::string_view> unused_reason(const Feature& feature, const Settings& settings,
-                                              const SceneTraits& traits) {
+std::optional<IdleReason> unused_reason(const Feature& feature, const Settings& settings, const SceneTraits& traits) {
   if (const auto reason = inactive_reason(row(feature.option), settings, traits)) return reason;
   if (without(feature, settings) == settings) return "it is off already";
   return {};

@@ -29,7 +29,7 @@ std::vector<MissingPoint> missing_points(const Chart& chart) {
     if (point && point->measured()) continue;
     const bool timed = point && !point->samples_ms.empty(), compared = point && point->compared;
     const char* reason = timed ? "timed, but its picture's line is lost" : compared ? "no timed run" : "in no log";
-    missing.push_back({number, point ? point->what.label : "", reason});
+    missing.push_back({number, point ? point->what.label : "", reason, !timed && !compared});
   }
   return missing;
 }
@@ -38,7 +38,7 @@ std::string missing_text(const Chart& chart) {
   std::vector<int> in_no_log;
   std::vector<std::string> parts;
   for (const MissingPoint& point : missing_points(chart))
-    if (point.reason == "in no log")
+    if (point.in_no_log)
       in_no_log.push_back(point.number);
     else
       parts.push_back(fmt::format("point {}{} is missing: {}", point.number,

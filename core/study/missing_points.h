@@ -11,6 +11,7 @@ struct MissingPoint {
   int number = 0;
   std::string label;   ///< "" where even its settings are lost
   std::string reason;  ///< "no timed run", "timed, but its picture's line is lost" or "in no log"
+  bool in_no_log = false;
 };
 
 /// The points of the whole sweep that are not measured, in its order. For a shard these include those of the others.

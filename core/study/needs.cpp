@@ -113,7 +113,7 @@ class Search {
       FeatureShare share;
       share.feature = feature;
       if (const auto reason = unused_reason(feature, request_.base, traits_)) {
-        share.reason = std::string(*reason);
+        share.reason = reason;
         share.absent = never_used(feature, traits_);
       } else {
         share.used = true;
@@ -220,9 +220,9 @@ class Search {
 }  // namespace
 
 std::string needs_free_sentence(const FeatureShare& share) {
-  const bool asks = share.reason.starts_with("needs ");
+  const bool asks = share.reason && share.reason->kind() == IdleReason::Kind::setting;
   return fmt::format("{} can be left out at no loss: {}{}.", share.feature.label, asks ? "the option " : "",
-                     share.reason);
+                     text_of(share.reason));
 }
 
 Needs find_needs(const NeedsRequest& request, StudyControl& control,

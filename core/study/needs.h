@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,13 +26,13 @@ struct NeedsRequest {
 struct FeatureShare {
   Feature feature;
   bool used = false;
-  bool absent = false;        ///< the scene cannot use it with any settings
-  std::string reason;         ///< why it is free to drop, if it is not used
-  double error_without = 0;   ///< worst_tile_flip against the truth when it is switched off
-  double increase = 0;        ///< worst_increase() over the settings as they are: what switching it off costs
-  double cost_share = 0;      ///< share of the time of a picture that it takes
-  bool cost_differs = false;  ///< both times are not within_noise() of each other
-  double work_share = 0;      ///< the same of the counted work
+  bool absent = false;               ///< the scene cannot use it with any settings
+  std::optional<IdleReason> reason;  ///< why it is free to drop, if it is not used
+  double error_without = 0;          ///< worst_tile_flip against the truth when it is switched off
+  double increase = 0;               ///< worst_increase() over the settings as they are: what switching it off costs
+  double cost_share = 0;             ///< share of the time of a picture that it takes
+  bool cost_differs = false;         ///< both times are not within_noise() of each other
+  double work_share = 0;             ///< the same of the counted work
   std::shared_ptr<const Image<Rgb8>> picture;  ///< without it; null if it is not used
 };
 

@@ -8,7 +8,6 @@ namespace ps {
 namespace {
 
 constexpr double still_hard_to_see = 0.1, still_visible = 0.25;
-constexpr std::string_view nothing = "nothing to ";
 
 using Words = std::vector<std::string>;
 
@@ -30,12 +29,12 @@ std::string absent_words(const Needs& needs) {
   Words verbs, others;
   for (const FeatureShare& share : needs.shares) {
     if (!share.absent) continue;
-    if (share.feature.absent.starts_with(nothing))
-      verbs.emplace_back(share.feature.absent.substr(nothing.size()));
-    else
+    if (share.feature.verb.empty())
       others.emplace_back(share.feature.absent);
+    else
+      verbs.emplace_back(share.feature.verb);
   }
-  if (!verbs.empty()) others.insert(others.begin(), std::string(nothing) + list(verbs, "or"));
+  if (!verbs.empty()) others.insert(others.begin(), "nothing to " + list(verbs, "or"));
   return list(others);
 }
 

@@ -11,7 +11,7 @@
 namespace ps {
 namespace {
 
-std::optional<std::string_view> why_not_here(const RendererKind& kind) {
+std::optional<IdleReason> why_not_here(const RendererKind& kind) {
   return kind.inactive ? kind.inactive(Settings{}, SceneTraits{}) : std::nullopt;
 }
 
@@ -40,7 +40,7 @@ std::vector<std::string> absent_renderers(std::span<const SweepAxis> axes) {
   std::vector<std::string> absent;
   for (const RendererKind& kind : renderer_kinds())
     if (const auto reason = why_not_here(kind); reason && draws_any_scene(kind))
-      absent.push_back(fmt::format("{}: {}", kind.label, *reason));
+      absent.push_back(fmt::format("{}: {}", kind.label, reason->text()));
   if (!driver_renderer())
     absent.emplace_back("graphics driver: this program was built without a renderer that uses it");
   return absent;

@@ -356,7 +356,7 @@ std::vector<std::string> idle_axes(std::span<const SweepAxis> axes, const Settin
   for (const SweepAxis& axis : axes)
     if (!acts_somewhere(axis, all, traits))
       sentences.push_back(fmt::format("{} changes nothing here: {}.", axis.option->label,
-                                      inactive_reason(*axis.option, all.front(), traits).value_or("")));
+                                      inactive_reason(*axis.option, all.front(), traits)->text()));
   return sentences;
 }
 
@@ -371,7 +371,8 @@ std::optional<std::string> idle_sweep(const NamedSweep& sweep, const Settings& b
   }
   if (!idle) return {};
   // The reason under the renderer of the last combination: the sweeps name the one last that needs the option.
-  return std::string(inactive_reason(*idle->option, all.back(), traits).value_or(""));
+  const auto reason = inactive_reason(*idle->option, all.back(), traits);
+  return reason ? reason->text() : "";
 }
 
 SweepNames split_names(const std::vector<std::string>& names) {

@@ -200,7 +200,7 @@ TEST(Options, AToggleAndANumberThatDoNothingAreFound) {
 /// A reason not to act in any context is not an excuse.
 TEST(Options, AChoiceThatIsInactiveEverywhereIsFound) {
   Option option = *find_option("highlight");
-  option.choices.back().inactive = [](const Settings&, const SceneTraits&) -> std::optional<std::string_view> {
+  option.choices.back().inactive = [](const Settings&, const SceneTraits&) -> std::optional<IdleReason> {
     return "never";
   };
   test::OptionResponses responses(width, height);

@@ -71,7 +71,7 @@ TEST(AddedRenderer, GivesOnlyTheCountersOfItsRow) {
 TEST(AddedRenderer, SaysWhichOptionsItUses) {
   const SceneTraits traits = scene_traits(load_scene("cgfs/crates"));
   const auto reason = [&](std::string_view key) {
-    return inactive_reason(*find_option(key), constant_settings(), traits).value_or("");
+    return text_of(inactive_reason(*find_option(key), constant_settings(), traits));
   };
   EXPECT_EQ(reason("exposure"), "");
   EXPECT_EQ(reason("renderer"), "");

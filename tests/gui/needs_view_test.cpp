@@ -40,7 +40,7 @@ TEST(NeedsAdvice, SaysThatLessWorkWasNotLessTime) {
 TEST(NeedsAdvice, WhatIsFreeToDropIsASentence) {
   FeatureShare share;
   share.feature.label = "Shadows";
-  share.reason = "needs lighting = on";
+  share.reason = needs("lighting", true);
   EXPECT_EQ(needs_free_sentence(share), "Shadows can be left out at no loss: the option needs lighting = on.");
   share.reason = "the scene has no texture";
   EXPECT_EQ(needs_free_sentence(share), "Shadows can be left out at no loss: the scene has no texture.");

@@ -179,12 +179,12 @@ TEST(ListingBug, ActsOnlyInItsListing) {
   const SceneTraits traits = scene_traits(scene);
   const Option& option = *find_option("listing-bug");
   Settings settings = settings_for(scene);
-  EXPECT_EQ(inactive_reason(option, settings, traits), "only textbook listings use it");
+  EXPECT_EQ(text_of(inactive_reason(option, settings, traits)), "only textbook listings use it");
   settings.renderer = Renderer::textbook;
   EXPECT_FALSE(inactive_reason(option, settings, traits));
   const Image<Rgb8> right = picture(scene, settings);
   set_bug(settings, "no-horizon");  // of chapter 2
-  EXPECT_EQ(inactive_value_reason(option, settings, traits), "a bug of another listing");
+  EXPECT_EQ(text_of(inactive_value_reason(option, settings, traits)), "a bug of another listing");
   EXPECT_EQ(picture(scene, settings), right);
   EXPECT_EQ(running_listing(settings, traits).bug, "");
   set_bug(settings, "dazzling");

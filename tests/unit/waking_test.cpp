@@ -99,12 +99,48 @@ TEST(Waking, OnlyTheSceneCanLackMore) {
       for (const Option& option : option_table()) {
         const Waking waking = waking_of(option, with(start), traits);
         if (waking.missing.empty() || !has_a_renderer(option)) continue;
-        const bool of_scene = waking.missing.find("scene") != std::string_view::npos ||
-                              waking.missing.find("no light casts shadows") != std::string_view::npos;
+        const bool of_scene = waking.missing.find("scene") != std::string::npos ||
+                              waking.missing.find("no light casts shadows") != std::string::npos;
         EXPECT_TRUE(of_scene) << builtin.name << ' ' << fmt::format("{}", fmt::join(start, " ")) << ": " << option.key
                               << " has no switch: " << waking.missing;
       }
   }
+}
+
+TEST(IdleReason, MakesItsSentenceOfWhatIsNeeded) {
+  EXPECT_EQ(needs("shadows", Shadows::map).text(), "needs shadows = map");
+  EXPECT_EQ(needs("self-hit", SelfHit::epsilon, SelfHit::normal_bump).text(),
+            "needs self-hit = epsilon or normal-bump");
+  EXPECT_EQ(needs("multisampling", 1).because("why").text(), "needs multisampling = 1: why");
+  EXPECT_EQ(needs("lighting", true).said("needs light").text(), "needs light");
+  EXPECT_EQ(IdleReason("the scene has no texture").text(), "the scene has no texture");
+}
+
+/// A reason names another option of the table, and setting that answers the reason.
+TEST(IdleReason, NamesSettingsThatAnswerIt) {
+  int answered = 0;
+  for (const BuiltinScene& builtin : scenes()) {
+    const SceneTraits traits = scene_traits(load_scene(builtin.name));
+    for (const auto& start : starts())
+      for (const Option& option : option_table()) {
+        const Settings settings = with(start);
+        const auto reason = inactive_reason(option, settings, traits);
+        if (!reason) continue;
+        EXPECT_EQ(reason->needs().empty(), reason->kind() != IdleReason::Kind::setting) << option.key;
+        for (const Need& need : reason->needs()) {
+          const Option* other = find_option(need.option);
+          ASSERT_TRUE(other && other != &option) << option.key << ": " << need.option;
+          Settings then = settings;
+          other->set(then, need.value);
+          if (other->get(settings) == need.value) continue;  // one of several, which is not enough alone
+          const bool can_be_set = acts(*other, then, traits);
+          EXPECT_TRUE(!can_be_set || text_of(inactive_reason(option, then, traits)) != reason->text())
+              << builtin.name << ": " << option.key << " with " << need.option;
+          ++answered;
+        }
+      }
+  }
+  EXPECT_GT(answered, 1000 / test::trial_divisor);
 }
 
 std::string text_of(std::string_view key, const std::vector<std::string>& settings, const std::string& scene) {
@@ -137,7 +173,7 @@ TEST(Waking, FillRuleAndSubPixelBitsRestWhileAllIsFilledByRows) {
   const Settings edges = with({"renderer=rasterizer", "canvas-fill=edge-functions"});
   for (const char* key : {"fill-rule", "subpixel-bits"}) {
     const Option& option = *find_option(key);
-    EXPECT_EQ(inactive_reason(option, rows, canvas), "needs canvas-fill = edge-functions") << key;
+    EXPECT_EQ(text_of(inactive_reason(option, rows, canvas)), "needs canvas-fill = edge-functions") << key;
     EXPECT_EQ(waking_text(waking_of(option, rows, canvas)), "acts with Fill of canvas shapes = edge functions") << key;
     EXPECT_FALSE(inactive_reason(option, edges, canvas)) << key;
     EXPECT_FALSE(inactive_reason(option, rows, with_models)) << key;

@@ -151,7 +151,7 @@ class Gallery : public Content {
   const Waking* waking_for(const Option& option, std::size_t side) {
     const auto [found, fresh] = waking_.try_emplace({&option, side});
     if (fresh) found->second = waking_of(option, settings_[side], traits_);
-    return found->second.settings.empty() && found->second.missing.empty() ? nullptr : &found->second;
+    return found->second.reason.empty() ? nullptr : &found->second;
   }
 
   void draw_table() {

@@ -22,7 +22,6 @@ namespace {
 
 constexpr std::size_t recent_limit = 10;
 constexpr const char* recent_key = "session/recent";
-constexpr std::string_view still_open = " (the previous scene stays open)";  // behind why a file could not be opened
 
 /// Where the user is, as opposed to what was changed: undo leaves it alone.
 void keep_place(const Document& from, Document& to) {
@@ -199,10 +198,8 @@ void Session::redo() {
 
 /// In place of the step before, so that many steps are one line.
 void Session::say_step(const std::string& did, const std::string& step) {
-  std::erase_if(messages_, [](const Message& message) {
-    return message.text.starts_with("Undid: ") || message.text.starts_with("Redid: ");
-  });
-  say(Message::Kind::information, did + step);
+  std::erase_if(messages_, [](const Message& message) { return message.about == Message::About::step; });
+  say({Message::Kind::information, did + step, Message::About::step});
 }
 
 void Session::go_to_entry(std::size_t place) {
@@ -285,8 +282,9 @@ void Session::cancel_loading() {
 void Session::load(const std::string& name, std::function<Document()> make, Reason reason) {
   loading_name_ = name;
   loading_cancelled_ = false;
-  loader_.start([this, make = std::move(make), reason](Progress& progress) {
+  loader_.start([this, name, make = std::move(make), reason](Progress& progress) {
     Loaded loaded;
+    loaded.name = name;
     loaded.reason = reason;
     try {
       loaded.document = make();
@@ -310,7 +308,11 @@ bool Session::take_loaded() {
   }
   if (!loaded) return false;
   if (!loaded->document) {
-    say(Message::Kind::error, has_scene() ? fmt::format("{}{}", loaded->error, still_open) : loaded->error);
+    if (has_scene())
+      say({Message::Kind::error, fmt::format("{} (the previous scene stays open)", loaded->error),
+           Message::About::scene, loaded->name});
+    else
+      say(Message::Kind::error, loaded->error);
     return false;
   }
   take_up(std::move(*loaded->document), loaded->reason);
@@ -327,7 +329,7 @@ void Session::take_up(Document document, Reason reason, const std::string& drag)
       document.story = carried_over(document_.story, false);
     }
     std::erase_if(messages_, [](const Message& message) {
-      return message.kind != Message::Kind::error || message.text.ends_with(still_open);
+      return message.kind != Message::Kind::error || message.about == Message::About::scene;
     });
     note_recent(is_own_lesson(document.lesson) ? document.lesson : document.scene_name);
     break;
@@ -338,7 +340,8 @@ void Session::take_up(Document document, Reason reason, const std::string& drag)
     keep_pin(document_, document);
     // What was wrong with the file has been mended.
     std::erase_if(messages_, [&](const Message& message) {
-      return message.kind == Message::Kind::warning || message.text.starts_with(document.scene_name);
+      return message.kind == Message::Kind::warning ||
+             (message.about == Message::About::scene && message.file == document.scene_name);
     });
     break;
   }
@@ -433,10 +436,12 @@ void Session::note_recent(const std::string& name) {
   if (host_.remember_lines) host_.remember_lines(recent_key, lines);
 }
 
-void Session::say(Message::Kind kind, std::string text) {
+void Session::say(Message::Kind kind, std::string text) { say({kind, std::move(text)}); }
+
+void Session::say(Message message) {
   const bool known =
-      std::any_of(messages_.begin(), messages_.end(), [&](const Message& message) { return message.text == text; });
-  if (!known) messages_.push_back({kind, std::move(text)});
+      std::any_of(messages_.begin(), messages_.end(), [&](const Message& other) { return other.text == message.text; });
+  if (!known) messages_.push_back(std::move(message));
 }
 
 bool Session::expire_messages(double now) {

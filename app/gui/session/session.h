@@ -24,7 +24,10 @@ namespace ps::gui {
 struct Message {
   enum class Kind { information, warning, error } kind = Kind::information;
   std::string text;
-  double since = -1;  ///< seconds on the window's clock when it was first seen; negative before
+  /// Subject of the message, with which it is replaced or removed.
+  enum class About { nothing, step, scene, lesson } about = About::nothing;
+  std::string file{};  ///< the scene or lesson that could not be loaded
+  double since = -1;   ///< seconds on the window's clock when it was first seen; negative before
 };
 
 /// A picture from a file that is in B's place.
@@ -146,6 +149,7 @@ class Session {
   // --- messages ---
   const std::vector<Message>& messages() const { return messages_; }
   void say(Message::Kind kind, std::string text);
+  void say(Message message);
   void dismiss(std::size_t index);
   /// Takes information away that has been seen for long enough; warnings and errors stay until they are dismissed.
   /// Answers whether some is still to go.
@@ -154,6 +158,7 @@ class Session {
  private:
   enum class Reason { open, permalink, reload };
   struct Loaded {
+    std::string name;
     std::optional<Document> document;
     std::string error;
     Reason reason = Reason::open;

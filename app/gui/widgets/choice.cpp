@@ -16,9 +16,7 @@ std::string part_name(std::string_view name, std::string_view key) {
 }
 
 /// Why choice `i` cannot act now.
-std::string_view idle_reason(const ControlStyle& style, std::size_t i) {
-  return style.idle ? style.idle(i) : std::string_view{};
-}
+std::string idle_reason(const ControlStyle& style, std::size_t i) { return style.idle ? style.idle(i) : ""; }
 
 /// A choice that cannot act is greyed, but can be taken: other settings may wake it.
 ImVec4 choice_colour(const ControlStyle& style, std::size_t i) {

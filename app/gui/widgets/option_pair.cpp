@@ -125,12 +125,10 @@ std::array<OptionRowResult, 2> option_pair(const Option& option, std::array<Sett
 
   const std::size_t picked = index_of(context.picked);
   std::array<OptionRowContext, 2> contexts;
-  std::array<std::string_view, 2> reasons;
+  std::array<std::string, 2> reasons;
   for (std::size_t i = 0; i < 2; ++i) {
     contexts[i] = {.side = both_sides[i], .other = &settings[1 - i]};
-    if (context.waking[i])
-      reasons[i] = inactive_reason(option, settings[i], traits)
-                       .value_or(inactive_value_reason(option, settings[i], traits).value_or(std::string_view{}));
+    if (context.waking[i]) reasons[i] = context.waking[i]->reason;
   }
   // The label, with the unit of numbers.
   const float label_end = columns.beside_label ? columns.a - px(gap) : room;
@@ -167,9 +165,10 @@ std::array<OptionRowResult, 2> option_pair(const Option& option, std::array<Sett
     const float width = form.stacked ? room : columns.width;
     ControlStyle style{.width = width};
     style.idle = [&, i](std::size_t choice) {
-      return inactive_choice_reason(option, option.choices[choice], settings[i], traits).value_or(std::string_view{});
+      return text_of(inactive_choice_reason(option, option.choices[choice], settings[i], traits));
     };
-    style.disabled = inactive_reason(option, settings[i], traits).value_or(std::string_view{});
+    const std::string disabled = text_of(inactive_reason(option, settings[i], traits));
+    style.disabled = disabled;
     style.quiet = i != picked;
     if (style.quiet && !differ) style.shown = "=";
     ImGui::SetCursorScreenPos(at);

@@ -24,7 +24,7 @@ struct ControlStyle {
   std::string_view disabled = {};  ///< not empty: greyed, and this reason is shown in the tooltip
   float width = 0;                 ///< 0 = as wide as its text (buttons) or the space that is left (others)
   /// Why a choice cannot act now, or nothing, by its place. Of a list that is closed only the chosen one is asked.
-  std::function<std::string_view(std::size_t)> idle = {};
+  std::function<std::string(std::size_t)> idle = {};
   std::string_view shown = {};  ///< not empty: written in place of the value
   bool quiet = false;           ///< without a field behind it: what comes second in its row
 };

@@ -83,7 +83,7 @@ std::optional<std::string> why_not_measured(const StabilityExperiment& experimen
   if (!renderer) return std::string(no_driver);
   const RendererKind& kind = renderer_kind(*renderer);
   const auto reason = kind.inactive ? kind.inactive(Settings{}, SceneTraits{}) : std::nullopt;
-  return reason ? std::optional(std::string(*reason)) : std::nullopt;
+  return reason ? std::optional(reason->text()) : std::nullopt;
 }
 
 std::string_view set_up_text(SetUp set_up) {

@@ -62,7 +62,7 @@ std::string honoured_row(const Option& option, const Settings& settings, const s
   if (option.key == "shadows" && settings.shadows == Shadows::traced)
     return row(option, text, "no", "traced shadows need rays, and no renderer of triangles has them");
   if (const auto reason = hardware::lacks_value(option, option.get(settings), settings))
-    return row(option, text, "no", *reason);
+    return row(option, text, "no", reason->text());
   if (writes_depth(settings) && !writes_depth({})) return row(option, text, "by gl_FragDepth", "");
   const bool near_only = option.key == "clipping" && settings.clipping == Clipping::near_only;
   return row(option, text, "yes", near_only ? "where a driver cuts at the sides as well, no pixel shows it" : "");
@@ -74,22 +74,22 @@ std::string rows_of_integer(const Option& option) {
   Settings settings;
   const auto reason_of = [&](int value) {
     option.set(settings, value);
-    return hardware::lacks_value(option, value, settings);
+    return text_of(hardware::lacks_value(option, value, settings));
   };
   const int last = static_cast<int>(option.maximum);
   for (int from = static_cast<int>(option.minimum); from <= last;) {
-    const auto reason = reason_of(from);
+    const std::string reason = reason_of(from);
     int to = from;
     while (to < last && reason_of(to + 1) == reason) ++to;
-    rows += row(option, from == to ? fmt::format("{}", from) : fmt::format("{} to {}", from, to), reason ? "no" : "yes",
-                reason.value_or(""));
+    rows += row(option, from == to ? fmt::format("{}", from) : fmt::format("{} to {}", from, to),
+                reason.empty() ? "yes" : "no", reason);
     from = to + 1;
   }
   return rows;
 }
 
 std::string rows_of(const Option& option) {
-  if (const auto reason = hardware::lacks_option(option, {})) return row(option, "all", "no", *reason);
+  if (const auto reason = hardware::lacks_option(option, {})) return row(option, "all", "no", reason->text());
   if (option.key == "multisampling") return row(option, "all", "yes", "as many samples as the driver offers");
   if (option.key == "anisotropy")
     return row(

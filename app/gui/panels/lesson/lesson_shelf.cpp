@@ -28,20 +28,21 @@ void LessonShelf::load(Session& session) {
   try {
     lesson_ = load_lesson(name_);
   } catch (const InputError& error) {
-    session.say(Message::Kind::error, error.what());
+    session.say({Message::Kind::error, error.what(), Message::About::lesson, name_});
   }
 }
 
 void LessonShelf::update(Session& session) {
   // A change while no lesson is open is taken when this one is open again.
   if (!watch_ || session.document().lesson != name_ || !watch_->take_changed()) return;
-  const std::string file = lesson_file(name_).string();
   for (std::size_t i = session.messages().size(); i-- > 0;)
-    if (session.messages()[i].text.starts_with(file)) session.dismiss(i);  // it may have been mended
+    if (const Message& message = session.messages()[i];
+        message.about == Message::About::lesson && message.file == name_)
+      session.dismiss(i);  // it may have been mended
   try {
     lesson_ = load_lesson(name_);
   } catch (const InputError& error) {
-    return session.say(Message::Kind::error, error.what());
+    return session.say({Message::Kind::error, error.what(), Message::About::lesson, name_});
   }
   ++version_;
   go_to_step(session, name_, session.document().step);

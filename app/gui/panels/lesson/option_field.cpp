@@ -44,16 +44,13 @@ void option_field(Session& session, Side side, const Option& option, float width
               palette().text, 0);
   }
   Settings settings = session.settings(side);
-  const auto reason = inactive_reason(option, settings, session.traits());
+  const std::string reason = text_of(inactive_reason(option, settings, session.traits()));
   const std::string help = fmt::format("{}: {}", option.label, option.help.what);
   ImGui::SetCursorScreenPos({at.x + letter_width(), at.y});
   OptionRowResult result;
-  result.edit = option_control(option, settings,
-                               {.tooltip = help,
-                                .disabled = reason.value_or(std::string_view{}),
-                                .width = width - letter_width() - px(4),
-                                .idle = {}},
-                               ChoiceForm::drop_down);
+  result.edit = option_control(
+      option, settings, {.tooltip = help, .disabled = reason, .width = width - letter_width() - px(4), .idle = {}},
+      ChoiceForm::drop_down);
   take_row_result(session, side, option, settings, result);
 }
 

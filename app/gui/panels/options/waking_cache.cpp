@@ -8,7 +8,7 @@ const Waking* WakingCache::find(const Session& session, const Option& option, Si
   const auto [found, fresh] = known_.try_emplace({&option, side});
   Waking& waking = found->second;
   if (fresh) waking = waking_of(option, session.settings(side), session.traits());
-  return waking.settings.empty() && waking.missing.empty() ? nullptr : &waking;
+  return waking.reason.empty() ? nullptr : &waking;
 }
 
 }  // namespace ps::gui

@@ -51,7 +51,7 @@ void unit_choice(Session& session, Side side) {
   }
   const std::string tip = fmt::format("What {} counts.", letter_of(side));
   if (!drop_down(side == Side::a ? "slow/unit-a" : "slow/unit-b", choices, index, unit_width(session),
-                 {.tooltip = tip, .idle = [&idle](std::size_t unit) { return idle[unit]; }},
+                 {.tooltip = tip, .idle = [&idle](std::size_t unit) { return std::string(idle[unit]); }},
                  {.face = strip_face(session)}))
     return;
   if (!idle[static_cast<std::size_t>(index)].empty()) return;

@@ -108,10 +108,10 @@ void add_option(ChartSetup& setup, const Session& session) {
     if (shown == most_matches) break;
     if (!option_matches(option, setup.search) || swept(setup, option)) continue;
     ++shown;
-    const auto reason = inactive_reason(option, session.settings(setup.side), session.traits());
+    const std::string reason = text_of(inactive_reason(option, session.settings(setup.side), session.traits()));
     const std::string label = fmt::format("{}: {}", option.group, option.label);
     if (!button(fmt::format("add/{}", option.key), label, Emphasis::quiet,
-                {.tooltip = reason ? std::string_view(*reason) : option.help.what}))
+                {.tooltip = reason.empty() ? option.help.what : std::string_view(reason)}))
       continue;
     auto axes = setup.axes;
     axes.push_back({&option, standard_values(option)});

@@ -65,8 +65,8 @@ void sweep_choice(ChartTabState& state, float width) {
   const auto named = std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return c.key == shown; });
   int index = static_cast<int>(named - choices.begin());
   if (named == choices.end()) choices.push_back({own_sweep, "A custom sweep", ""});
-  const auto idle = [&state](std::size_t sweep) -> std::string_view {
-    return sweep < state.idle_sweeps.size() ? std::string_view(state.idle_sweeps[sweep]) : std::string_view{};
+  const auto idle = [&state](std::size_t sweep) {
+    return sweep < state.idle_sweeps.size() ? state.idle_sweeps[sweep] : "";
   };
   if (!choice("sweep", choices, index,
               {.tooltip = "The sweep: one picture for each combination of values.", .width = width, .idle = idle}))

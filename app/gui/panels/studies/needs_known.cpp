@@ -42,7 +42,7 @@ void needs_known(const Settings& settings, const SceneTraits& traits, char lette
     if (const auto reason = unused_reason(feature, settings, traits)) {
       FeatureShare& share = unused.emplace_back();
       share.feature = feature;
-      share.reason = *reason;
+      share.reason = reason;
     } else {
       used.push_back(used_words(feature, settings));
     }
@@ -56,7 +56,7 @@ void needs_known(const Settings& settings, const SceneTraits& traits, char lette
   for (const FeatureShare& share : unused) {
     const std::string text = needs_free_sentence(share);
     quiet_text(text);
-    controls().record(fmt::format("free/{}", share.feature.name), share.reason);
+    controls().record(fmt::format("free/{}", share.feature.name), text_of(share.reason));
   }
 }
 

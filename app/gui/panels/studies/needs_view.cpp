@@ -106,7 +106,7 @@ void free_features(const Needs& needs) {
     if (share.used) continue;
     const std::string text = needs_free_sentence(share);
     quiet_text(text);
-    controls().record(fmt::format("free/{}", share.feature.name), share.reason);
+    controls().record(fmt::format("free/{}", share.feature.name), text_of(share.reason));
   }
 }
 
