@@ -50,7 +50,7 @@ class OpenFile {
 /// A new file beside the one that it is to replace; removed at the end of the scope unless it took the other's name.
 class TemporaryFile {
  public:
-  /// The name is short and has nothing of the other's, which may be as long as the system allows. Names that are taken,
+  /// The name is short and has no part of the other's, which may be as long as the system allows. Names that are taken,
   /// such as those of a process of the same number in another container, are passed over.
   TemporaryFile(const fs::path& folder, mode_t mode) {
     static std::atomic<unsigned> counter{0};

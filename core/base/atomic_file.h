@@ -14,16 +14,16 @@ enum class Durability {
 
 /// Writes `bytes` as the whole content of `path`. What is written depends on what the path names; links are followed.
 ///
-/// - A regular file, or nothing yet: the bytes go into a temporary file in the same folder, which then takes the name,
+/// - A regular file, or none yet: the bytes go into a temporary file in the same folder, which then takes the name,
 ///   so that the path holds either its old content or all of the new. The new file keeps the permissions, and as far as
 ///   the system lets the user, owner and group of the old one. Other hard links to the old file keep the old content:
 ///   they may be somebody's backup.
 /// - A character device or a pipe: the bytes are written into it, for it is a place to send data to and must stay. A
-///   pipe that nobody reads is waited for, 10 seconds at most.
+///   pipe without a reader is waited for, 10 seconds at most.
 /// - The program's own standard output or error (/dev/stdout): the bytes follow what was printed so far.
 ///
 /// Throws InputError, naming the file and the reason, where that is not possible; a regular file is then as before.
-/// What output_target() refuses is refused before anything is written.
+/// A path that output_target() refuses is refused before anything is written.
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes,
                            Durability durability = Durability::synced);
 

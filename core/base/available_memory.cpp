@@ -17,7 +17,7 @@ namespace ps {
 namespace {
 
 #ifdef __linux__
-/// The number in a file that holds nothing else; nothing for "max", and where there is no such file.
+/// Parses a file of one number; nullopt for "max", and where there is no such file.
 std::optional<std::uint64_t> number_in_file(const char* path) {
   std::ifstream file(path);
   std::uint64_t number = 0;

@@ -6,10 +6,10 @@
 namespace ps {
 
 /// Bytes that this process can still get: what the system has to spare, or less where a container or a limit of the
-/// process (ulimit -v) ends first. Nothing where the system does not say.
+/// process (ulimit -v) ends first. nullopt where the system does not say.
 std::optional<std::uint64_t> available_memory();
 
-/// What may be used of `available` bytes: the rest of the program, and of the computer, needs some too.
+/// The part of `available` bytes that may be used: the rest of the program, and of the computer, needs some too.
 std::uint64_t usable_part(std::uint64_t available);
 
 /// Throws InputError if `bytes`, which `what` (plural) need, are more than the usable part of `available`. The message

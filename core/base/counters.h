@@ -28,7 +28,7 @@ enum class Counter {
   triangles_backfacing,
   triangles_clipped_away,  ///< wholly outside one clipping plane
   triangles_split,         ///< cut by a clipping plane
-  triangles_degenerate,    ///< zero area, drawn as nothing
+  triangles_degenerate,    ///< zero area, never drawn
   triangles_drawn,         ///< after clipping, sent to coverage
   coverage_tests,          ///< sample positions tested one by one
   coverage_regions,        ///< rows, cells or pieces of triangles that coverage decided or cut as a whole
@@ -84,7 +84,7 @@ struct Counters {
   std::array<std::uint64_t, counter_count> values{};
   CounterSet given = CounterSet::all();
 
-  /// The count, or nothing if the renderer cannot give it.
+  /// The count; nullopt if the renderer cannot give it.
   std::optional<std::uint64_t> get(Counter c) const {
     if (!given.contains(c)) return {};
     return values[static_cast<std::size_t>(c)];
@@ -103,7 +103,7 @@ struct Counters {
   bool operator==(const Counters&) const = default;
 };
 
-/// The sum of those of `summands` that are given; nothing if none is.
+/// The sum of those of `summands` that are given; nullopt if none is.
 std::optional<std::uint64_t> counted_sum(const Counters& counters, std::initializer_list<Counter> summands);
 
 }  // namespace ps

@@ -19,7 +19,7 @@ struct Descendants {
 Descendants descendants(pid_t root);
 
 /// Ends all below `root`, and the processes of `group` if it is above 0. Collects what they leave where `root` is this
-/// process. Returns whether nothing is left; gives up after some 2 seconds.
+/// process. Returns whether none is left; gives up after some 2 seconds.
 bool end_descendants(pid_t root, pid_t group = 0);
 
 }  // namespace ps

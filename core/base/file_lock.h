@@ -9,7 +9,7 @@ namespace ps {
 /// with the program that holds it, however it ends, so none is ever stale; over a network the file system passes it on.
 class FileLock {
  public:
-  /// Creates the file if it is missing; it stays when the lock goes. Nothing if another holds it. On a file system
+  /// Creates the file if it is missing; it stays when the lock goes. nullopt if another holds it. On a file system
   /// without locks it excludes no other process. Throws InputError if the file cannot be made or opened.
   static std::optional<FileLock> try_lock(const std::filesystem::path& path);
   /// The same, but waits up to `patience` until the other lets it go.

@@ -29,7 +29,7 @@ struct LargePages {
     void* const memory = std::aligned_alloc(alignment, bytes);
     if (memory == nullptr) throw std::bad_alloc();
 #ifdef __linux__
-    if (alignment == page) static_cast<void>(madvise(memory, bytes, MADV_HUGEPAGE));  // a wish, nothing more
+    if (alignment == page) static_cast<void>(madvise(memory, bytes, MADV_HUGEPAGE));  // a wish; failure does no harm
 #endif
     return static_cast<T*>(memory);
   }

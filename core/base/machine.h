@@ -5,7 +5,7 @@
 
 namespace ps {
 
-/// What results depend on besides the code.
+/// The parts of a machine on which results depend, besides the code.
 struct Machine {
   std::string version;    ///< Pixelscope's
   std::string processor;  ///< as the system names it

@@ -8,7 +8,7 @@ namespace ps {
 
 /// Bytes that a value occupies: its own size and what it owns on the heap. A type that owns something has a member
 /// `std::size_t heap_bytes() const`; vectors and shared pointers (each counted in full) are known here; what can be
-/// copied as plain bytes owns nothing. Anything else does not compile, so nothing is left out by accident.
+/// copied as plain bytes owns no memory. Anything else does not compile, so no member is left out by accident.
 template <class T>
 std::size_t memory_size(const T& value);
 
@@ -48,7 +48,7 @@ std::size_t memory_size(const T& value) {
   return sizeof(T) + detail::OwnedBytes<std::remove_const_t<T>>::of(value);
 }
 
-/// What several members own on the heap, without the members themselves: for writing heap_bytes().
+/// Bytes that several members own on the heap, without the members themselves: for writing heap_bytes().
 template <class... T>
 std::size_t owned_bytes(const T&... members) {
   return (std::size_t{0} + ... + detail::OwnedBytes<std::remove_const_t<T>>::of(members));

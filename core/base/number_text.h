@@ -9,13 +9,13 @@
 
 namespace ps {
 
-/// Reads the whole of `text` as a decimal number ("-1.5", "2e-3"), whatever the user's locale. Nothing for anything
+/// Reads the whole of `text` as a decimal number ("-1.5", "2e-3"), whatever the user's locale. nullopt for anything
 /// else: empty text, spaces, trailing characters, "inf", "nan", hexadecimal, or a value that overflows double.
 /// (std::from_chars for double does not exist in libc++ 14.)
 std::optional<double> parse_number(std::string_view text);
 
 /// Takes a whole number in digits of `base` ("-12"; no minus where Integer has no sign) off the front of `text`, which
-/// keeps what follows it. Nothing, and `text` as it was, if it begins otherwise or the value does not fit into Integer.
+/// keeps what follows it. nullopt, and `text` as it was, if it begins otherwise or the value does not fit into Integer.
 template <std::integral Integer>
 std::optional<Integer> take_integer(std::string_view& text, int base = 10) {
   Integer value{};
@@ -25,7 +25,7 @@ std::optional<Integer> take_integer(std::string_view& text, int base = 10) {
   return value;
 }
 
-/// The same for the whole of `text`. Nothing for anything else: empty text, spaces, a plus, or trailing characters.
+/// The same for the whole of `text`. nullopt for anything else: empty text, spaces, a plus, or trailing characters.
 template <std::integral Integer>
 std::optional<Integer> parse_integer(std::string_view text, int base = 10) {
   const auto value = take_integer<Integer>(text, base);

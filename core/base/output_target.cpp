@@ -24,7 +24,7 @@ std::string reason_of(int error) { return std::generic_category().message(error)
 
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
-/// Follows the symbolic links of `path` to a name that is not a link, which may be missing. Nothing for links below
+/// Follows the symbolic links of `path` to a name that is not a link, which may be missing. nullopt for links below
 /// /proc, which refer to files that are open already.
 std::optional<fs::path> behind_links(const fs::path& path) {
   constexpr int most_links = 40;  // as many as Linux follows

@@ -69,7 +69,7 @@ class Helper {
  private:
   enum class State : int { idle, working, ending };
 
-  /// Sequentially consistent, since notify_all() wakes nobody if it sees nobody wait: with a weaker order the processor
+  /// Sequentially consistent, since notify_all() wakes none if none seems to wait: with a weaker order the processor
   /// may look for them before others see the new state, and who begins to wait just then would wait for ever.
   void change(State to) {
     state_.store(to, std::memory_order_seq_cst);

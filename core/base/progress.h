@@ -6,7 +6,7 @@
 
 namespace ps {
 
-/// Thrown out of a long call when its Progress was asked to stop. Nothing is wrong; the result is incomplete.
+/// Thrown out of a long call when its Progress was asked to stop. It is not a fault; the result is incomplete.
 class Cancelled : public std::exception {
  public:
   const char* what() const noexcept override { return "cancelled"; }
@@ -27,7 +27,7 @@ class Progress {
   /// Announces `units` more units of work, in whatever unit the operation counts.
   void expect(std::int64_t units) noexcept { total_.fetch_add(units, std::memory_order_relaxed); }
   void advance(std::int64_t units = 1) noexcept { done_.fetch_add(units, std::memory_order_relaxed); }
-  /// From here on the work comes in so many parts of about the same length, which announce their units one after
+  /// From here on the work comes in this number of parts of about the same length, which announce their units one after
   /// another: the first begins at once, each of the others with next_part().
   void expect_parts(int parts) noexcept {
     parts_.store(parts, std::memory_order_relaxed);
@@ -38,7 +38,7 @@ class Progress {
     part_.fetch_add(1, std::memory_order_relaxed);
     forget_units();
   }
-  /// Share of the announced work that is done, in [0, 1]; 0 while nothing is announced.
+  /// Share of the announced work that is done, in [0, 1]; 0 while none is announced.
   double fraction() const noexcept {
     const double parts = parts_.load(std::memory_order_relaxed), before = part_.load(std::memory_order_relaxed);
     return std::min(1.0, (before + fraction_of_part()) / parts);

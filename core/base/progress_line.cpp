@@ -12,7 +12,7 @@ namespace ps {
 namespace {
 
 void write_text(int terminal, const std::string& text) {
-  if (write(terminal, text.data(), text.size()) < 0) return;  // a terminal that has gone shows nothing
+  if (write(terminal, text.data(), text.size()) < 0) return;  // the terminal has gone
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace ps {
 
 /// Writes how far a long call is into one line of a terminal, over and over, as long as it lives; then the line is
-/// empty again. Writes nothing into files and pipes, and nothing about what takes less than half a second.
+/// empty again. Writes to terminals alone, and only about work of half a second or more.
 class ProgressLine {
  public:
   /// `terminal` is a descriptor; `what` stands before the number: "rendering". The progress must outlive this.

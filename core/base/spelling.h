@@ -15,7 +15,7 @@ std::string_view similar_word(std::string_view word, std::span<const std::string
 /// "; did you mean 'WORD'?" if there is a similar word, else `otherwise`, which says where all are listed.
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> known, std::string_view otherwise);
 
-/// What was expected where `word` was found: "'WORD'" if there is a similar word, else "one of" all of them.
+/// The words expected where `word` was found: "'WORD'" if there is a similar word, else "one of" all of them.
 std::string expected_word(std::string_view word, std::span<const std::string_view> known);
 
 /// The word of `known` with the least edit distance to `word` (the first of equals); empty if `known` is empty.

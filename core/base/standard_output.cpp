@@ -18,7 +18,7 @@ void open_standard_streams() {
     if (fcntl(stream, F_GETFD) != -1 || errno != EBADF) continue;
     // The lowest free number is this one. Input and output are opened the other way round, so that use is an error.
     const int mode = stream == STDOUT_FILENO ? O_RDONLY : O_WRONLY;
-    if (open("/dev/null", mode) != stream) return;  // nothing better can be had
+    if (open("/dev/null", mode) != stream) return;  // there is no better stream
   }
 }
 

@@ -7,7 +7,7 @@ namespace detail {
 inline thread_local const Progress* stop_of_thread = nullptr;
 }
 
-/// The progress that may stop what this thread does now; null = nothing may.
+/// The progress that may stop what this thread does now; null = none may.
 inline const Progress* current_stop() { return detail::stop_of_thread; }
 
 /// While it lives, check_stop() on this thread, and inside every parallel_for() that it calls, listens to `progress`.

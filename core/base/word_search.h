@@ -6,7 +6,7 @@
 namespace ps {
 
 /// Whether every word of `wanted` occurs in one of the texts, also as a part of a word and whatever its case (of ASCII
-/// letters). Nothing wanted occurs everywhere.
+/// letters). An empty `wanted` occurs everywhere.
 bool has_words(std::string_view wanted, std::initializer_list<std::string_view> texts);
 
 /// Whether the letters of `wanted` occur in `text` in this order, with others between them, whatever their case (of

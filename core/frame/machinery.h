@@ -3,8 +3,8 @@
 
 namespace ps {
 
-/// Which code makes a picture. In float all of it gives the same bits; only the time differs, so times of different
-/// machinery do not compare techniques.
+/// The code path that renders a picture. In float all of them give the same bits; only the time differs, so times on
+/// different paths do not compare techniques.
 enum class Machinery {
   clear,             ///< scalar code that follows the sources step by step; every option works there
   sphere_packets,    ///< rays of neighbouring pixels against spheres, found and shaded by SIMD
@@ -14,14 +14,14 @@ enum class Machinery {
   driver,            ///< the code of the graphics driver, or its processor
 };
 
-/// How surfaces are shaded by that machinery.
+/// How a code path shades surfaces.
 enum class SurfaceShading {
   single,  ///< one hit or fragment after the other
   mixed,   ///< plain surfaces by SIMD, all others one after the other
   lanes,   ///< all by SIMD
 };
 
-/// What draws a picture, and why it is nothing faster.
+/// The code path that draws a picture, and why it is not a faster one.
 struct FastPath {
   Machinery machinery = Machinery::clear;
   SurfaceShading shading = SurfaceShading::single;

@@ -7,7 +7,7 @@
 
 namespace ps {
 
-/// What a map of the difference between two pictures shows of each pixel.
+/// The measure that a map of the difference between two pictures shows at each pixel.
 enum class DifferenceMode {
   absolute,  ///< |B - A| of each channel, in levels: black where equal
   sign,      ///< B - A of the channel in which they differ most, in levels: blue where A is brighter, orange where B is
@@ -30,7 +30,7 @@ double full_scale(DifferenceMode mode);
 /// (InputError). FLIP takes far longer than a frame.
 Image<float> difference_values(const Image<Rgb8>& a, const Image<Rgb8>& b, DifferenceMode mode);
 
-/// What is to be said about such numbers.
+/// A remark about such numbers.
 struct DifferenceNumbers {
   double mean = 0;        ///< of their sizes, as all that follows
   double percentile = 0;  ///< 99.9 % of the pixels have at most this
@@ -38,7 +38,7 @@ struct DifferenceNumbers {
   Vec2i at{-1, -1};      ///< the pixel with the largest, the first in reading order; (-1, -1) if none differs
   double differing = 0;  ///< share of the pixels with another value than 0
 };
-/// Of the pixels of the region, or of all.
+/// The figures over the pixels of the region, or over all.
 DifferenceNumbers difference_numbers(const Image<float>& values, const std::optional<TileRect>& region = {});
 
 /// The gain with which the 99.9th percentile is white, or the largest value where fewer pixels differ; from 1 to 256.

@@ -16,7 +16,7 @@ struct LoadOptions {
 };
 
 /// Reads a picture of PNG, JPEG, TGA, PPM, PGM or PFM. The content decides which; a name of another format is noted.
-/// Integer samples become value / largest value as stored (nothing is linearised), PFM floats stay as they are, grey is
+/// Integer samples become value / largest value as stored (none is linearised), PFM floats stay as they are, grey is
 /// copied to all three channels. Noted, and not applied: an EXIF orientation, the scale of a PFM file. A PNG or a JPEG
 /// of one scan for each channel whose end is missing is read, with a note, if all of its pixels are there. Throws
 /// InputError, naming the file and what is wrong with it, for a missing, truncated or corrupt file, an unknown format

@@ -59,7 +59,7 @@ Image<Vec3d> opponents(const Image<Vec3d>& rgb) {
   return result;
 }
 
-/// What the eye keeps of the picture, as Hunt-adjusted CIELAB.
+/// The picture as the eye resolves it, in Hunt-adjusted CIELAB.
 Image<Vec3d> perceived(const Image<Vec3d>& opponent, double ppd) {
   const ScalarImage y = blurred(channel(opponent, 0), achromatic, ppd);
   const ScalarImage cx = blurred(channel(opponent, 1), red_green, ppd);

@@ -4,7 +4,7 @@
 
 namespace ps {
 
-/// What the segments of a JPEG file say.
+/// The facts in the segments of a JPEG file.
 struct JpegInfo {
   std::string_view bytes;  ///< up to the end of the picture, or of the file
   bool ended = true;       ///< false: the end marker is missing, but each component has a scan

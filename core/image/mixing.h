@@ -3,7 +3,7 @@
 
 namespace ps {
 
-/// Mixing colours as in CGFS ch. 1; 1.0 is the book's 255. Nothing is clamped until it is asked for, so that light can
+/// Mixing colours as in CGFS ch. 1; 1.0 is the book's 255. No value is clamped until it is asked for, so that light can
 /// add up before it is shown.
 
 /// Light added to light: red and green make yellow.

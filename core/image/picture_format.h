@@ -11,7 +11,7 @@ enum class PictureFormat { png, jpeg, tga, pnm, pfm };
 /// "PNG", for messages.
 std::string_view format_name(PictureFormat format);
 
-/// The format that a file's extension names; nothing for an unknown one.
+/// The format that a file's extension names; nullopt for an unknown one.
 std::optional<PictureFormat> format_by_name(const std::filesystem::path& path);
 
 /// The format of a file's bytes. TGA has no signature: it is what has a valid header and bytes enough for its pixels.

@@ -66,7 +66,7 @@ class ChunkReader {
     return chunk;
   }
 
-  /// Whether nothing is left but a part of the last chunk, or of one that is not needed for the picture.
+  /// Whether the rest is only a part of the last chunk, or of one that is not needed for the picture.
   bool is_cut_behind_picture() const {
     const std::string_view rest = bytes_.substr(at_);
     if (rest.size() < frame_bytes && last_chunk.starts_with(rest)) return true;

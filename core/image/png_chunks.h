@@ -7,7 +7,7 @@
 
 namespace ps {
 
-/// What a PNG file says about itself.
+/// The facts that a PNG file stores about itself.
 struct PngInfo {
   int width = 0, height = 0;
   int bit_depth = 0;

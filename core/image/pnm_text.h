@@ -16,7 +16,7 @@ class PnmText {
   std::int64_t integer(std::int64_t low, std::int64_t high, std::string_view what);
   /// The next word as a finite decimal number.
   double real(std::string_view what);
-  /// What follows the one white-space character after the last word.
+  /// The text behind the one white-space character after the last word.
   std::string_view rest();
   /// Bytes not read yet.
   std::size_t left() const { return bytes_.size() - at_; }

@@ -7,7 +7,7 @@
 
 namespace ps {
 
-/// Of one channel over a rectangle, in display levels.
+/// Statistics of one channel over a rectangle, in display levels.
 struct ChannelStatistics {
   int lowest = 0, highest = 0;
   double mean = 0, deviation = 0;              ///< standard deviation of all pixels

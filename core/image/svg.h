@@ -32,7 +32,7 @@ class SvgDrawing {
             bool bold = false);
   /// A picture stretched over a rectangle, its pixels as hard squares.
   void picture(const Vec2d& low, const Vec2d& high, const Image<Rgb8>& levels);
-  /// What follows, until end_group(), is cut to a rectangle.
+  /// Cuts all that follows, until end_group(), to a rectangle.
   void begin_clip(const Vec2d& low, const Vec2d& high);
   void end_clip();
   /// The file's text.

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t tga_header_size = 18;
 constexpr std::size_t longest_run = 128;
 
-/// What the first 18 bytes say.
+/// The header: the first 18 bytes.
 struct TgaHeader {
   enum class Kind { palette = 1, colour = 2, grey = 3 };
 
@@ -53,7 +53,7 @@ struct TgaHeader {
            (has_runs() ? (pixels() + longest_run - 1) / longest_run * (1 + pixel_bytes()) : pixels() * pixel_bytes());
   }
 
-  /// What no TGA file has; empty if all is well.
+  /// Why this is not the header of a TGA file; empty if it is one.
   std::string fault() const {
     if ((type & ~8) < 1 || (type & ~8) > 3) return "found no TGA header of a known image type, expected a TGA file";
     const std::size_t sample_bits = kind() == Kind::palette ? entry_bits : pixel_bits;

@@ -3,7 +3,7 @@
 
 /// The one page on axes, facing, pixel positions and depth.
 ///
-/// **World.** Coordinates keep their source's own numbers. Nothing depends on handedness: a camera is an explicit
+/// **World.** Coordinates keep their source's own numbers. No code depends on handedness: a camera is an explicit
 /// frame (position, right, up, forward), never silently re-orthonormalised.
 /// CGFS looks along +z with y up, CGPP along -z with y up, LAB along +z with y down: three frames, one mathematics.
 ///

@@ -37,7 +37,7 @@ struct FourVectors {
   hn::Vec<FloatLanes> first, second, third, fourth;
 };
 
-/// Of four numbers for each lane the first ones, the second ones and so on. `a` holds all four of lanes 0, 4, 8, ...,
+/// The first ones of four numbers for each lane, the second ones and so on. `a` holds all four of lanes 0, 4, 8, ...,
 /// `b` those of 1, 5, 9, ..., and so on, as every_fourth() puts them.
 HWY_INLINE FourVectors turn_quarters(hn::Vec<FloatLanes> a, hn::Vec<FloatLanes> b, hn::Vec<FloatLanes> c,
                                      hn::Vec<FloatLanes> e) {

@@ -24,7 +24,7 @@ inline bool has_exact_square(Real square) {
   return square > ExactSquares<Real>::least && square < ExactSquares<Real>::greatest;
 }
 
-/// What brings a vector with this square near enough to 1 to be squared; 1 for nearly all.
+/// The factor that brings a vector with this square near enough to 1 to be squared; 1 for nearly all.
 template <class Real>
 inline Real factor_for_square(Real square) {
   if (has_exact_square(square)) [[likely]]
@@ -94,13 +94,13 @@ inline Vec3<Real> triangle_normal(const Vec3<Real>& a, const Vec3<Real>& b, cons
   if (has_exact_square(dot(normal, normal))) [[likely]]
     return normal;
   if (!(largest_component(to_b) > 0 && largest_component(to_c) > 0)) return normal;
-  // In double, where products of floats are exact: nearly parallel edges must not cancel to nothing.
+  // In double, where products of floats are exact: nearly parallel edges must not cancel to 0.
   const Vec3d exact = cross(Vec3d(brought_near_one(to_b)), Vec3d(brought_near_one(to_c)));
   return Vec3<Real>(largest_component(exact) > 0 ? brought_near_one(exact) : exact);
 }
 
 /// `v` as it is, or brought near one where a float could not hold its square: renderers work in float, and of most
-/// directions the length means nothing. Not for (0, 0, 0).
+/// directions the length has no meaning. Not for (0, 0, 0).
 inline Vec3d float_direction(const Vec3d& v) { return largest_component(v) < 0x1p-30 ? brought_near_one(v) : v; }
 
 }  // namespace ps

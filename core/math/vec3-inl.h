@@ -56,7 +56,7 @@ HWY_INLINE Vec3Lanes<D> cross(const Vec3Lanes<D>& a, const Vec3Lanes<D>& b) {
           hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
 }
 
-/// What brings each lane's vector near enough to 1 to be squared: factor_for_square() of math/unit.h. Lanes whose
+/// A factor that brings each lane near enough to 1 to be squared: factor_for_square() of math/unit.h. Lanes whose
 /// square is good, and NaN, get 1.
 template <class D>
 struct LaneFactors {

@@ -30,7 +30,7 @@ struct RendererRow {
                         Progress& progress) = nullptr;
   /// The counters that both give; all others are absent from frames and stories.
   CounterSet counts;
-  /// Which machinery draws a whole picture, and why nothing faster.
+  /// The code path that draws a whole picture, and why not a faster one.
   FastPath (*fast_path)(const Settings& settings, const SceneTraits& traits, Channel channels) = nullptr;
   /// A graphics driver transforms its vertices and decides which samples a triangle covers, and reports neither
   /// positions nor edges: those that the rasterizer computes are not its.

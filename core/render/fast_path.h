@@ -6,7 +6,7 @@
 
 namespace ps {
 
-/// Which machinery draws a whole picture with these settings, and why it is nothing faster: the one place that decides.
+/// The code path that draws a whole picture with these settings, and why not a faster one: the one place that decides.
 /// Kernels ask it, and never draw faster than it says. (A region, or a texture too large for the SIMD kernels, may make
 /// them draw slower: Frame::path says what drew a picture.)
 FastPath fast_path(const Settings& settings, const SceneTraits& traits, Channel channels);

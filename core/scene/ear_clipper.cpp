@@ -88,7 +88,7 @@ bool EarClipper::may_go(std::uint32_t tip, Pass pass) {
   const double turn = turn_at(a, b, c);
   switch (pass) {
   case Pass::ears:
-    // Where both edges are run along a second time, the other way, there may be nothing to fill between them.
+    // Where both edges are run along a second time, the other way, there may be no area to fill between them.
     return turn > 0 && is_free(tip, 1) && (shares_place_[tip] == 0 || winding_around((a + b + c) / 3.0) > 0);
   case Pass::without_area:
     return turn == 0;

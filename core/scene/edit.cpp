@@ -211,7 +211,7 @@ Fields material_fields(const Scene& scene, std::size_t index) {
   return fields;
 }
 
-/// The fields among which `path` must be, if it exists: those of one thing, so that large scenes cost nothing.
+/// The fields among which `path` must be, if it exists: those of one object, so that large scenes cost no more.
 Fields fields_near(const Scene& scene, std::string_view path) {
   const auto first = path.find('.');
   const auto second = path.find('.', first + 1);

@@ -41,7 +41,7 @@ struct FaceOrigins {
   const std::string& group_of(std::size_t triangle) const;
 };
 
-/// What the file says of a triangle of a mesh that has origins.
+/// The indices that the file gives a triangle, of a mesh that has origins.
 FileIndices file_indices(const Mesh& mesh, std::size_t triangle);
 
 }  // namespace ps

@@ -5,7 +5,7 @@
 
 namespace ps {
 
-/// Hands out names that nothing else has: the wanted one itself, else "wanted 2", "wanted 3", ...
+/// Hands out names that are still free: the wanted one itself, else "wanted 2", "wanted 3", ...
 class FreeNames {
  public:
   void take(const std::string& name) { taken_.insert(name); }

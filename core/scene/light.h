@@ -29,7 +29,7 @@ struct Light {
   Vec3d colour{1, 1, 1};     ///< white in the book
   Vec3d position{0, 0, 0};   ///< world space; point lights only
   Vec3d direction{0, 1, 0};  ///< from the scene towards the light, not normalised; directional lights only
-  /// Of point lights: brightness at distance r is divided by x + y r + z r^2.
+  /// Attenuation of point lights: brightness at distance r is divided by x + y r + z r^2.
   Vec3d attenuation{1, 0, 0};
   bool operator==(const Light&) const = default;
 };

@@ -10,7 +10,7 @@ namespace ps {
 /// cube.
 enum class Surroundings { sphere, cube };
 
-/// What a surface does with light. Colours are linear, 1.0 = the book's 255.
+/// The optical properties of a surface. Colours are linear, 1.0 = the book's 255.
 struct Material {
   std::string name;
   Vec3d colour{1, 1, 1};

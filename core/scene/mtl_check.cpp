@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> drawn_colours{"Ka", "Kd", "Ks"};
 
-/// Statements that are understood, but that nothing draws, with what that means for the picture.
+/// Statements that are understood, but that no renderer uses, with what that means for the picture.
 struct NotDrawn {
   std::string_view word, meaning;
 };
@@ -69,7 +69,7 @@ bool is_map(std::string_view word) {
 /// Exporters write white where they mean that light passes unchanged; for all others black means that there is none.
 double neutral_value(std::string_view word) { return word == "Tf" || word == "Kt" ? 1 : 0; }
 
-/// What a material says about its opacity, until all of the file is known.
+/// The opacity statements of a material, until all of the file is known.
 struct Opacity {
   std::optional<double> d, tr;
   int line = 0;
@@ -128,7 +128,7 @@ class MtlChecker {
   }
 
   void unknown(const ObjLine& line, const std::string& word) {
-    constexpr std::size_t most_notes = 50;  // a file of another kind has nothing but unknown words
+    constexpr std::size_t most_notes = 50;  // a file of another kind has only unknown words
     if (noted_.size() >= most_notes || noted_.count(word) > 0) return;
     const std::string_view similar = similar_word(word, mtl_words());
     note(word, line.number(),
@@ -206,7 +206,7 @@ class MtlChecker {
     note(word, line.number(), fmt::format("'{}' is not drawn: {}", word, statement.meaning));
   }
 
-  /// What only the whole file shows.
+  /// Checks that need the whole file.
   void finish() {
     // Some programs write Tr 1 for opaque. One that meant it would have made everything invisible.
     const auto turned = [](const auto& named) { return !named.second.d && named.second.tr == 1.0; };
@@ -259,7 +259,7 @@ class MtlChecker {
     return result;
   }
 
-  /// What follows the values of a statement is not used.
+  /// Words behind the values of a statement are not used.
   void end(ObjLine& line, const std::string& word, const char* values) {
     if (!line.at_end())
       note(word + " end", line.number(), fmt::format("'{}' has {}; what follows is not used", word, values));

@@ -15,7 +15,7 @@ struct UvPlacement {
   bool operator==(const UvPlacement&) const = default;
 };
 
-/// What a material file says about one material; what it leaves out is absent.
+/// The properties that a material file gives one material; those that it leaves out are absent.
 struct MtlFacts {
   std::optional<Vec3d> diffuse, specular, ambient;  ///< Kd, Ks, Ka
   std::optional<double> shininess;                  ///< Ns
@@ -29,7 +29,7 @@ struct MtlFacts {
   UvPlacement placement;                ///< -s and -o of its pictures, which share their texture coordinates
 };
 
-/// What check_mtl found in a material file. Of two materials of one name the first counts.
+/// The result of check_mtl for a material file. Of two materials of one name the first counts.
 struct MtlSummary {
   std::map<std::string, MtlFacts> materials;
   std::vector<std::string> order;  ///< their names as they come in the file
@@ -38,7 +38,7 @@ struct MtlSummary {
 
 /// Reads the text of a material file (MTL). A statement that is not known, stands before any material, or has no value
 /// that can be used is left out with a note; values out of their range are clamped, with a note, as exporters do write
-/// them. Throws InputError for what is no text (see ObjLines).
+/// them. Throws InputError for a file that is not text (see ObjLines).
 MtlSummary check_mtl(std::string_view text, const std::string& file);
 
 }  // namespace ps

@@ -122,7 +122,7 @@ void read_values(ObjLine& line, const MapOption& option, MtlTexture& map) {
   take_values(option, values, map);
 }
 
-/// Whether nothing but whole options follows.
+/// Whether only whole options follow.
 bool only_options(ObjLine line) {
   for (std::string_view word = line.next(); !word.empty(); word = line.next()) {
     const MapOption* option = find_map_option(word);

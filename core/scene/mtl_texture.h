@@ -7,7 +7,7 @@ namespace ps {
 
 class ObjLine;
 
-/// What `refl -type` says: which part of the surroundings a picture shows.
+/// The value of `refl -type`: which part of the surroundings a picture shows.
 enum class ReflectionPart { none, sphere, top, bottom, front, back, left, right };
 
 /// A picture that a material names, with its options: `map_Kd -s 2 2 1 wood panel.png`.

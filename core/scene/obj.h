@@ -14,7 +14,7 @@ struct ObjModel {
   std::vector<Material> materials;
   std::vector<Texture> textures;
   std::vector<std::string> files;  ///< the OBJ file, its material files, its textures
-  /// Materials and textures that could not be found, and what the files hold that nothing draws, with file and line.
+  /// Materials and textures that could not be found, and statements without effect, with file and line.
   std::vector<std::string> warnings;
 };
 
@@ -31,7 +31,7 @@ ObjModel parse_obj(std::string_view text, const std::filesystem::path& path);
 
 /// A scene of one model alone: framed whole by a camera in front of it that looks along -z with y up, with ambient
 /// light of 0.3 and a directional key light of 0.7 from the upper right. A flat model that would be seen from its edge
-/// is looked at from its front side instead. A warning says if nothing is in view, or backs alone.
+/// is looked at from its front side instead. A warning says if no face is in view, or backs alone.
 Scene load_obj_scene(const std::filesystem::path& path);
 
 inline constexpr std::uintmax_t max_obj_bytes = std::uintmax_t{1} << 30;

@@ -30,11 +30,11 @@ class ObjLine {
   /// What follows may be names: from here on a `#` is one of their letters ("#1 red", "wood #2"), unless it stands
   /// alone between blanks, where it begins a comment.
   void begin_names();
-  /// What is left of the line without blanks around it.
+  /// The rest of the line without blanks around it.
   std::string_view rest();
   /// begin_names(), then rest().
   std::string_view name();
-  /// What next() or rest() returned last.
+  /// The word or text that next() or rest() returned last.
   std::string_view word() const { return text_.substr(word_begin_, word_end_ - word_begin_); }
   int number() const { return number_; }
 
@@ -62,7 +62,7 @@ class ObjLines {
   ObjLines(std::string_view text, const std::string& file, std::size_t most_bytes);
   /// nullopt at the end of the file. A line is valid until the next call.
   std::optional<ObjLine> next();
-  /// Of the file up to here.
+  /// Number of lines of the file up to here.
   int count() const { return count_; }
 
  private:

@@ -99,7 +99,7 @@ class MaterialLoader {
     const Vec3d ambient = colour(facts.ambient);
     if (ambient != Vec3d{0, 0, 0} && ambient != Vec3d{1, 1, 1}) material.ambient_colour = ambient;
     if (facts.diffuse_map) material.texture = textures_.read(*facts.diffuse_map, mtl);
-    // Exporters name map_Kd's picture again; where Ka says nothing, ambient light takes the surface's colour anyway.
+    // Exporters name map_Kd's picture again; where Ka is missing, ambient light takes the surface's colour anyway.
     const bool same = facts.ambient_map && facts.diffuse_map && facts.ambient_map->name == facts.diffuse_map->name;
     if (facts.ambient_map && (!same || material.ambient_colour))
       material.ambient_map = textures_.read(*facts.ambient_map, mtl);

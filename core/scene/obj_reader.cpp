@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t most_obj_line = std::size_t{4} << 20;  // a face of some 200,000 vertices
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-/// Statements that say nothing about the surface, or nothing that Pixelscope draws.
+/// Statements that are not about the surface, or not about a part that Pixelscope draws.
 constexpr std::array<std::string_view, 11> ignored_words{
     "mg", "vp", "vw", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "usemap", "maplib"};
 constexpr std::array<std::string_view, 11> drawn_words{"v", "vt", "vn", "f",      "s",     "o",
@@ -295,7 +295,7 @@ class ObjReader {
   }
 
   void unknown(const ObjLine& line, std::string_view word) {
-    constexpr std::size_t most_notes = 20;  // a file of another kind has nothing but unknown words
+    constexpr std::size_t most_notes = 20;  // a file of another kind has only unknown words
     if (unknown_.size() >= most_notes || !unknown_.insert(std::string(word)).second) return;
     const std::string_view similar = similar_word(word, {drawn_words.begin(), drawn_words.end()});
     const std::string hint = similar.empty() ? "" : fmt::format("'{}'", similar);
@@ -304,7 +304,7 @@ class ObjReader {
                                         line.shown(), similar.empty() ? "" : "; perhaps " + hint));
   }
 
-  /// What a model without any face is refused for.
+  /// The reason for which a model without any face is refused.
   void skip(const InputError& error) {
     if (!first_skipped_) first_skipped_ = error;
   }

@@ -13,7 +13,7 @@ struct ObjReference {
   int line = 0;
 };
 
-/// What an OBJ file says, before its material files are read.
+/// The content of an OBJ file, before its material files are read.
 struct ObjText {
   /// Triangles hold an index into `materials` as their material. Texture coordinates are turned over. A normal that
   /// cannot be used is (0, 0, 0).
@@ -21,7 +21,7 @@ struct ObjText {
   std::vector<std::uint32_t> smoothing_groups;  ///< of each triangle, 0 = none; empty where there is none at all
   std::vector<ObjReference> material_files;
   std::vector<ObjReference> materials;  ///< that `usemtl` names; an empty name is "no material"
-  /// What the file holds and nothing draws, and what is wrong in it but not needed, with file and line, each kind once.
+  /// Statements without effect, and faults in parts that are not needed, with file and line, each kind once.
   std::vector<std::string> notes;
 };
 

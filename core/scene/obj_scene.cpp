@@ -38,7 +38,7 @@ Facing facing_of(const Mesh& mesh, const BoundingSphere& bounds) {
 }
 
 /// The direction of most of the surface's normals, either way: the eigenvector of the largest eigenvalue. Squaring the
-/// matrix leaves nothing of the others.
+/// matrix makes the others vanish.
 Vec3d main_normal(Mat3<double> squares) {
   for (int i = 0; i < 30; ++i) {
     squares *= squares;
@@ -72,7 +72,7 @@ Vec3d viewing_side(const Mesh& mesh, const BoundingSphere& bounds, const Facing&
   return side < 0 ? Vec3d{0, 0, 0} - normal : normal;
 }
 
-/// What keeps the model from being seen in its default view; empty if nothing does.
+/// Why the model is not visible in its default view; empty if it is.
 std::string view_fault(const Facing& facing, bool from_front) {
   if (!(facing.area > 0)) return "no triangle of the model has an area, so nothing is in view";
   constexpr double edges_alone = 1e-3;

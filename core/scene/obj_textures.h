@@ -12,7 +12,7 @@
 
 namespace ps {
 
-/// What a picture of a material file holds: colours, or one number for each texel.
+/// The content of a picture of a material file: colours, or one number for each texel.
 enum class MtlMapKind { colours, opacity };
 
 /// Reads the pictures that material files name into model.textures, each once. One that is missing or cannot be read

@@ -23,7 +23,7 @@ bool has_coordinates(const Mesh& mesh) {
   });
 }
 
-/// The material in whose place another can be put; nothing where there is none, or one for each part of the object.
+/// The material in whose place another can be put; nullopt where there is none, or one for each part of the object.
 std::optional<std::uint32_t> own_material(const Object& object) {
   if (const auto* sphere = std::get_if<Sphere>(&object.shape)) return sphere->material;
   if (const auto* solid = std::get_if<Solid>(&object.shape)) return solid->material;
@@ -56,7 +56,7 @@ void set_material(Object& object, std::uint32_t material) {
   if (auto* instance = std::get_if<Instance>(&object.shape)) instance->material = material;
 }
 
-/// What is kept of a picture file.
+/// The cached content of a picture file.
 struct FileTexels {
   std::shared_ptr<const Image<Vec3f>> texels;
   std::vector<std::string> notes;  // as StoredPicture has them

@@ -20,7 +20,7 @@ bool has_one_material(const Scene& scene, std::size_t object);
 const Material& object_material(const Scene& scene, std::size_t object);
 
 /// Changes the material of this object alone: where others have it, too, a copy takes its place. Without effect, also
-/// on revisions, where nothing changes. Only for objects as above.
+/// on revisions, where no value changes. Only for objects as above.
 void edit_object_material(Scene& scene, std::size_t object, const std::function<void(Material&)>& change);
 
 /// "none", the name of a texture that was made by the program, or the path of its file.

@@ -147,7 +147,7 @@ namespace {
 
 using ReadBlock = void (*)(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 
-/// What reads a member of a group; nullptr for what a group cannot hold.
+/// The function that reads a member of a group; nullptr for a member that a group cannot have.
 ReadBlock member_reader(std::string_view key) {
   if (key == "group") return read_group;
   if (key == "instance") return read_instance;

@@ -13,7 +13,7 @@
 namespace ps {
 namespace {
 
-/// What a scene file may say of this form.
+/// The keys that a scene file may give this form.
 std::vector<std::string_view> property_keys(std::string_view kind) {
   std::vector<std::string_view> keys;
   for (const FormProperty& property : form_properties(*form_named(kind))) keys.emplace_back(property.name);
@@ -85,7 +85,7 @@ class CsgReader {
     return part;
   }
 
-  /// An operation, or a group, which is the union of what it holds and may hold a single part.
+  /// An operation, or a group, which is the union of its parts and may have a single part.
   CsgNode combination(const SceneEntry& entry, const PartPlace& around) {
     if (entry.value.kind != SceneTerm::Kind::block)
       source_.values.fail(entry.value, fmt::format("'{{' after '{}'", entry.key));
@@ -113,7 +113,7 @@ class CsgReader {
   }
 
  private:
-  /// What is not a part is checked as in any other block.
+  /// All but parts is checked as in any other block.
   PartPlace place_of(const SceneEntry& entry) const {
     SceneEntry own = entry;
     std::erase_if(own.value.entries, [](const SceneEntry& child) { return is_part(child.key); });

@@ -16,7 +16,7 @@ struct AxisAngle {
   Axis axis = Axis::y;
   double degrees = 0;  ///< from -180 to 180
 };
-/// The axis and angle for which rotation_about returns exactly this matrix, bit for bit; nothing if there is none. The
+/// The axis and angle for which rotation_about returns exactly this matrix, bit for bit; nullopt if there is none. The
 /// identity is 0 degrees about y.
 std::optional<AxisAngle> axis_angle_of(const Mat3d& rotation);
 

@@ -18,7 +18,7 @@
 
 namespace ps {
 
-/// What is where: read by accelerators, tessellation and projection, never by shading alone.
+/// Geometry in the world: read by accelerators, tessellation and projection, never by shading alone.
 struct Geometry {
   std::vector<std::shared_ptr<const Mesh>> meshes;
   std::vector<Object> objects;
@@ -31,7 +31,7 @@ struct SceneSetting {
   bool operator==(const SceneSetting& other) const { return key == other.key && value == other.value; }
 };
 
-/// What a picture of a scene depends on besides view and settings: its parts, by their revisions, and its background.
+/// The parts of a scene on which its picture depends besides view and settings, by their revisions, and its background.
 /// Scenes of equal revisions look alike from any camera.
 struct SceneRevision {
   std::uint64_t geometry = 0, lights = 0, materials = 0, textures = 0, canvas_items = 0;
@@ -61,7 +61,7 @@ struct Scene {
   Vec2i start_pixel{-1, -1};
   /// The files that it was read from: the scene itself, then those it includes, models, materials and textures.
   std::vector<std::string> files;
-  /// What the files ask for and could not be had, in whole sentences: the scene is shown without it.
+  /// Parts that the files ask for and that are missing, in whole sentences: the scene is shown without it.
   std::vector<std::string> warnings;
 
   SceneRevision revision() const {

@@ -60,7 +60,7 @@ void read_canvas_polygon(const SceneSource& source, const SceneEntry& entry, Sce
 void require_polygon_vertices(const SceneSource& source, const SceneTerm& vertices);
 /// Do the block's `vertices` have three coordinates?
 bool has_vertices_in_space(const SceneEntry& entry);
-/// A model of its own with one instance, from `name`, `sides` and the keys of objects: nothing else has to know single
+/// A model of its own with one instance, from `name`, `sides` and the keys of objects: no other code has to know single
 /// triangles and polygons. `kind` is its name where the block gives none.
 void add_single_model(const SceneSource& source, const SceneFields& fields, std::string_view kind, Mesh mesh,
                       SceneDraft& draft);

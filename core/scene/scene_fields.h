@@ -8,7 +8,7 @@
 namespace ps {
 
 /// The assignments of one block with their keys checked: each is known to the block and is given once, so that
-/// nothing in a file is ignored. Throws InputError, for an unknown key with the nearest known one.
+/// no part of a file is ignored. Throws InputError, for an unknown key with the nearest known one.
 class SceneFields {
  public:
   /// `block` is "sphere", `place` where the block begins.

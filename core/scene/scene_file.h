@@ -10,7 +10,7 @@ namespace ps {
 /// Reads a scene in the notation of CGFS (chapters 2 to 13, completed where the book only hints): assignments
 /// `key = value` and blocks `sphere { ... }`, in any layout, with # comments.
 /// `file` is the name for messages and Scene::name; other files are found relative to `folder`. Throws InputError with
-/// file, line and column for anything that it does not understand: nothing is ignored.
+/// file, line and column for anything that it does not understand: no part is ignored.
 Scene parse_scene(std::string_view text, const std::string& file, const std::filesystem::path& folder);
 
 /// Title, description and keywords alone, as cheaply as possible, for lists of scenes.

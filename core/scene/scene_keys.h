@@ -58,7 +58,7 @@ constexpr std::string_view blend_key(Blend blend) {
   return {};
 }
 
-/// What a word names, or nothing. A form comes with its default measures.
+/// The form that a word names; nullopt if it names none. A form comes with its default measures.
 std::optional<Form> form_named(std::string_view key);
 std::optional<CsgOperation> operation_named(std::string_view key);
 std::optional<Sides> sides_named(std::string_view key);

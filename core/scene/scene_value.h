@@ -32,7 +32,7 @@ class SceneValues {
   const std::vector<SceneTerm>& corners(const SceneTerm& term) const;
   Vec2d vec2(const SceneTerm& term) const;
   Vec3d vec3(const SceneTerm& term) const;
-  /// Like vec3, but not (0, 0, 0). Its length means nothing: one that renderers could not square comes back longer.
+  /// Like vec3, but not (0, 0, 0). Its length has no meaning: one that renderers could not square comes back longer.
   Vec3d direction(const SceneTerm& term) const;
   /// Like vec3, but not (0, 0, 0), and with the length that it has: a side of a rectangle.
   Vec3d side(const SceneTerm& term) const;
@@ -61,7 +61,7 @@ inline constexpr double max_scene_number = 1e12;
 inline constexpr double min_camera_axis = 1e-9;
 inline constexpr double min_refraction_index = 0.1, max_refraction_index = 10;
 
-/// The whole of `text` as a finite decimal number; nothing if it is anything else (hexadecimal, "nan", "1,5",
+/// The whole of `text` as a finite decimal number; nullopt if it is anything else (hexadecimal, "nan", "1,5",
 /// overflow).
 std::optional<double> parse_finite(std::string_view text);
 

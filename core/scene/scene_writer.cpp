@@ -380,7 +380,7 @@ class SceneWriter {
   const Scene& scene_;
   const fs::path& folder_;
   std::vector<std::string> materials_, textures_, meshes_, objects_;
-  std::vector<int> uses_;  ///< 1 = one sphere and nothing else
+  std::vector<int> uses_;  ///< 1 = one sphere alone
   std::size_t next_material_ = 0;
   std::string text_;
 };

@@ -46,7 +46,7 @@ struct Cylinder {
 
 using Form = std::variant<Ball, Plane, Rectangle, Brick, Cylinder>;
 
-/// From where a surface is seen. A rectangle or plane with two sides turns its normal to whoever looks at it; a body
+/// The sides from which a surface is visible. A two-sided rectangle or plane turns its normal to the viewer; a body
 /// with two sides can be seen from within.
 enum class Sides { two, front };
 

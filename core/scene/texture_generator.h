@@ -19,8 +19,8 @@ std::vector<std::string_view> texture_generators();
 /// machine. Throws InputError for an unknown name.
 Image<Vec3f> generate_texture(std::string_view generator, int size);
 
-/// What Texture::generator says of a picture whose file holds heights, turned into normals (image/height_map.h); and
-/// their steepness read back, nothing for any other generator.
+/// Value of Texture::generator for a picture whose file holds heights, turned into normals (image/height_map.h); and
+/// their steepness read back, nullopt for any other generator.
 std::string heights_generator(double steepness);
 std::optional<double> heights_steepness(std::string_view generator);
 

@@ -19,7 +19,7 @@ inline bool mirrors(const Transform& transform) {
   return scale != (dot(r[0], cross(r[1], r[2])) < 0);
 }
 
-/// The matrix that takes vertex normals to the world; their lengths afterwards mean nothing. The inverse transpose is
+/// The matrix that takes vertex normals to the world; their lengths are then arbitrary. The inverse transpose is
 /// built from cofactors, which exist for flat models (a scale of 0) too.
 inline Mat3d normal_matrix(const Transform& transform, NormalTransform how) {
   const Vec3d& s = transform.scale;

@@ -232,7 +232,7 @@ class Runner {
   Reference reference_;
   Chart chart_;
   std::vector<std::shared_ptr<Prepared>> prepared_;
-  std::vector<Settings> drawn_with_;  ///< of each point: its settings, or those on the machinery that all share
+  std::vector<Settings> drawn_with_;  ///< of each point: its settings, or those on the code path that all share
   std::vector<int> calls_;            ///< renders within one sample of each point; 0 = not known yet
   std::optional<ChartLog> log_;
 };

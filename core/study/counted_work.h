@@ -17,7 +17,7 @@ std::optional<std::uint64_t> counted_work(const Counters& counters);
 std::string work_text(const std::optional<std::uint64_t>& work);
 
 /// The settings that draw the same picture with counts that are the same on every processor. SIMD searches visit a tree
-/// of their own, as wide as the processor's vectors; all other machinery counts what scalar code does.
+/// of their own, as wide as the processor's vectors; all other paths count what scalar code does.
 Settings counted_settings(const Settings& settings, const SceneTraits& traits);
 
 }  // namespace ps

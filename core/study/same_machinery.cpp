@@ -9,7 +9,7 @@
 namespace ps {
 namespace {
 
-/// Why two pictures are not drawn by the same machinery, seen from the slower one.
+/// Why two pictures are not drawn on the same code path, from the view of the slower one.
 struct Mismatch {
   std::size_t slower = 0;
   std::string_view reason;

@@ -36,7 +36,7 @@ std::vector<OptionNumber> values_of(const Option& option, const Settings& settin
   return values;
 }
 
-/// The key of the machinery that drew the picture.
+/// The key of the code path that drew the picture.
 std::string_view expect_drawn_as_predicted(const Scene& scene, const SceneTraits& traits, const Settings& settings,
                                            Channel channels, Prepared& prepared) {
   const FastPath predicted = fast_path(settings, traits, channels);
@@ -85,7 +85,7 @@ TEST(FastPath, IsWhatDrawsInAllOptionContexts) {
   }
   if (!widest_simd(Simd::automatic)) GTEST_SKIP() << "this processor has no SSE4: all is drawn by scalar code";
   if (test::is_emulated()) return;  // too few of them were tried
-  EXPECT_EQ(seen.size(), test::has_renderer("hardware") ? 6u : 5u) << "the contexts reach every machinery";
+  EXPECT_EQ(seen.size(), test::has_renderer("hardware") ? 6u : 5u) << "the contexts reach every code path";
 }
 
 Frame drawn(const std::string& name, const std::vector<std::string>& assignments,

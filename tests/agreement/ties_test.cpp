@@ -257,7 +257,7 @@ TEST(Ties, TheFirstKindIsMetByRays) {
   });
 }
 
-/// Which machinery draws shows in the names of its stages, or, for rays, in the nodes of the wide tree.
+/// The code path that draws shows in the names of its stages, or, for rays, in the nodes of the wide tree.
 TEST(Ties, TheFastPathsAreAmongTheWays) {
   if (test::simd_targets().empty()) GTEST_SKIP() << "this processor has no SIMD target: all ways are the clear path";
   const Scene scene = scene_of({text_of(halves[0]), text_of(halves[1])});
