@@ -149,7 +149,7 @@ std::size_t steps_of(const std::string& lesson, StepCounts& counts) {
   return counts[lesson] = load_lesson(lesson).steps.size();
 }
 
-/// Of one text: whether its links to steps of other lessons lead to steps that are there.
+/// Checks in one text whether its links to steps of other lessons lead to steps that are there.
 void check_links(const std::vector<TextBlock>& blocks, StepCounts& counts, Tally& tally) {
   for (const TextBlock& block : blocks)
     for (const TextSpan& span : block.spans) {

@@ -70,7 +70,7 @@ int run_check(const ListingArguments& arguments) {
   if (!arguments.out.empty()) require_output_file(arguments.out, OutputKind::picture);
   std::optional<Vec2i> pixel;
   if (!arguments.pixel.empty()) pixel = parse_pixel_text(arguments.pixel);
-  ListingPermits permits;  // whoever names a file on a command line asks for it to be run
+  ListingPermits permits;  // a file named on a command line is to be run
   fmt::print("{}\n", protection_sentence());
   const Compilation compilation = compile_listing(permits.permit(arguments.file), {}, &interruptible_progress());
   print_messages(compilation, arguments.file);

@@ -1,5 +1,5 @@
 // pixelscope-launch: starts a program with limits and ends it, with everything that it started, when it is done,
-// exceeds one of them, or whoever called goes away. It links nothing of Pixelscope but one small file, so that it
+// exceeds one of them, or the caller goes away. It links nothing of Pixelscope but one small file, so that it
 // starts in a millisecond and its memory holds nothing worth reading.
 //
 //   pixelscope-launch FOLDER PROCESSOR-MS MS MEMORY PROCESSES FILE-BYTES USER PROGRAM ARGUMENT...

@@ -27,7 +27,7 @@ void add_setting(const std::string& assignment, std::vector<std::string>& settin
   settings.push_back(assignment);
 }
 
-/// Who presents chooses that mode, a step cannot.
+/// A presenter chooses that mode, a step cannot.
 ScreenMode parse_step_mode(const std::string& text) {
   const ScreenMode mode = parse_screen_mode(text);
   if (mode == ScreenMode::presenter) throw InputError("mode: found 'presenter', expected lesson explore study");

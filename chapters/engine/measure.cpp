@@ -79,7 +79,7 @@ bool counts_rays(Counter counter) {
 
 double count_of(Bench& bench, Side side, Counter counter) {
   if (const auto count = bench.frame(side)->counters.get(counter)) return static_cast<double>(*count);
-  // Who draws fragments sends no ray: a claim may hold that against those who do.
+  // A renderer of fragments sends no ray: a claim may compare it with one that does.
   if (counts_rays(counter) && picture_way(bench.settings(side).renderer) == PictureWay::fragments) return 0;
   throw InputError(fmt::format("metric: the picture's renderer does not count {}", counter_key(counter)));
 }

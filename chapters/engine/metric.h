@@ -27,7 +27,7 @@ enum class MetricKind {
   green,
   blue,
   object,     ///< index of the object that a side's picked pixel shows; -1 = background
-  triangle,   ///< the same of the triangle
+  triangle,   ///< index of the triangle there
   winner,     ///< 1 if a side's picked pixel shows the object of this name ("background" for none), else 0
   experiment  ///< a point of a stability experiment's curve
 };

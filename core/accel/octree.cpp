@@ -61,7 +61,7 @@ class Places {
   std::vector<std::uint32_t> next_, members_;  ///< empty: each primitive has a place of its own
 };
 
-/// Who may use the entries: first come, first served, until there are none left; or each cell its share.
+/// How cells share the entries: first come, first served, until there are none left; or each cell its share.
 enum class Sharing { first_come, by_count };
 
 template <class Real>

@@ -83,7 +83,7 @@ struct Document {
   Side picked = Side::a;  ///< whose story is shown
   std::array<int, 2> events{-1, -1};  ///< the selected events of the stories of A and B; -1 = none
   StoryView story;                    ///< what its views show
-  std::optional<Pin> pin;             ///< the pixel whose numbers of then are shown beside those of now
+  std::optional<Pin> pin;             ///< pinned pixel; its old numbers are shown beside the new ones
   CompareMode compare = CompareMode::side_by_side;
   double split = 0.5;  ///< where the divider is, share of the picture's width
   std::optional<HeatRange> heat_range;

@@ -18,7 +18,7 @@ inline constexpr std::array all{chart, listing, microscope, needs, pixels, space
 
 namespace ps::story_names {
 
-/// What of the pixel's stories is shown: that of the picked side, both, or the place where they part.
+/// The part of the pixel's stories that is shown: that of the picked side, both, or the place where they part.
 inline constexpr std::string_view one = "story", both = "both", parting = "parting";
 inline constexpr std::array all{one, both, parting};
 

@@ -7,7 +7,7 @@
 
 namespace ps {
 
-/// The scene from outside: from where it is seen, and what of the story is drawn in it.
+/// The scene from outside: the place of the viewer, and the parts of the story that are drawn.
 struct OutsideView {
   SpacePreset preset = SpacePreset::outside;
   std::optional<SpaceOrbit> orbit;  ///< instead of the preset; turned by hand

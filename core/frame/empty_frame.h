@@ -7,7 +7,7 @@
 
 namespace ps {
 
-/// A frame with the channels that were asked for. Where nobody reads what lies outside of a region, colours and the
+/// A frame with the channels that were asked for. Where no code reads pixels outside of a region, colours and the
 /// commonest channels hold anything: the renderer writes every pixel of the region.
 template <class Real>
 Frame empty_frame(const View& view, const RenderRequest& request) {

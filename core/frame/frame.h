@@ -104,7 +104,7 @@ enum class DriverMemory {
 /// What a picture holds outside the region that was asked for.
 enum class Outside {
   black,     ///< black, and channels as where nothing is seen
-  anything,  ///< whatever is there: nobody reads it, and clearing it may take longer than a small region
+  anything,  ///< whatever is there: it is never read, and clearing it may take longer than a small region
 };
 
 /// What a caller wants besides the picture itself.

@@ -9,7 +9,7 @@ namespace ps {
 /// The order in which a picture made tile by tile stores its pixels on one thread.
 class PixelOrder {
  public:
-  /// Of a picture of this size in tiles of `tile_size`, of which only `region` is wanted.
+  /// The order for a picture of this size in tiles of `tile_size`, of which only `region` is wanted.
   PixelOrder(int width, int height, int tile_size, const TileRect& region);
 
   std::uint64_t count(SlowUnit unit) const;

@@ -29,7 +29,7 @@ class Key {
   }
   template <class Enum>
   requires std::is_enum_v<Enum> Key& add(Enum value) { return add(static_cast<std::uint64_t>(value)); }
-  /// Of a product that reads all of a scene; others add the revisions of the parts that they read.
+  /// For a product that reads all of a scene; others add the revisions of the parts that they read.
   Key& add(const SceneRevision& scene) {
     return add(scene.geometry)
         .add(scene.lights)

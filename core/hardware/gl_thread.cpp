@@ -10,7 +10,7 @@ namespace ps::hardware {
 namespace {
 
 /// The thread with its context. It lives as long as the program: a driver's own threads and its exit handlers end in an
-/// order that nobody else knows.
+/// order that only the driver knows.
 class GlThread {
  public:
   GlThread() {

@@ -16,7 +16,7 @@ class NearTest {
 
   /// Of the object's triangles: may it reach them?
   std::vector<bool> of_object(std::size_t object) const;
-  /// The same of a shadow volume's surface.
+  /// The same for a shadow volume's surface.
   std::vector<bool> of_volume(const raster::ShadowVolume& volume) const;
 
  private:

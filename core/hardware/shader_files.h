@@ -10,8 +10,8 @@ namespace ps::hardware {
 /// programs that are made later fit those that are there.
 class ShaderFiles {
  public:
-  /// Of the file of this name ("fragment.glsl"). Throws InputError for a file that cannot be read, and for a name that
-  /// leads out of the folder of the shaders.
+  /// The text of the file of this name ("fragment.glsl"). Throws InputError for a file that cannot be read, and for a
+  /// name that leads out of the folder of the shaders.
   const std::string& text(const std::string& name);
   /// The name in a line `#include "tints.glsl"`; nothing for any other line.
   static std::optional<std::string> included_name(std::string_view line);

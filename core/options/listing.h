@@ -22,8 +22,8 @@ enum class ListingOrder {
   object_by_object  ///< it goes through everything that is drawn, whichever pixels are wanted
 };
 
-/// What of a scene a listing shows. All of them leave out planes, boxes, cylinders and CSG, the attenuation of lights,
-/// and maps of anything but colour.
+/// The parts of a scene that a listing shows. All of them leave out planes, boxes, cylinders and CSG, the attenuation
+/// of lights, and maps of anything but colour.
 struct ListingDraws {
   bool spheres = false;
   bool models = false;  ///< made of triangles

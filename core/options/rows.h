@@ -34,7 +34,7 @@ constexpr Truth other_picture() { return {TruthKind::other_picture, {}}; }
 constexpr Truth exactly(std::string_view settings) { return {TruthKind::exact, settings}; }
 constexpr Truth pixel_average(std::string_view settings = {}) { return {TruthKind::pixel_average, settings}; }
 
-/// Of what only rays show exactly. One sample of theirs is no better than one of another renderer.
+/// The truth of options that only rays show exactly. One sample of theirs is no better than one of another renderer.
 Truth averaged_by_rays();
 
 /// What all kinds of rows share; see the members of Option.

@@ -10,7 +10,7 @@ Reason needs_casting_light(const Settings& s, const SceneTraits& t) {
   return {};
 }
 
-/// Of algorithms that need triangles.
+/// The reason of algorithms that need triangles.
 Reason needs_no_rays(const Settings& s, const SceneTraits&) {
   if (sends_rays(s.renderer))
     return needs("renderer", renderer_for(PictureWay::fragments)).because("rays trace their shadows");

@@ -29,7 +29,7 @@ std::string allowed_values(const Option& option) {
   return {};
 }
 
-/// Of an option that acts for other renderers than the chosen one.
+/// The reason of an option that acts for other renderers than the chosen one.
 std::string_view only_for(ActsFor set) {
   if (acts_for(set, PictureWay::rays)) return "only the ray tracer uses it";
   if (acts_for(set, PictureWay::fragments)) return "only the rasterizer uses it";

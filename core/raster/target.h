@@ -131,7 +131,7 @@ class Target {
   std::vector<std::uint16_t> shaded_;
 };
 
-/// Who gives the pixels of a new frame the background's colour, depth and id.
+/// The code that gives the pixels of a new frame the background's colour, depth and id.
 enum class Background { filled, left_to_tiles };
 
 /// Gives the rectangle the background's colour, and its depth and id where the frame has them.

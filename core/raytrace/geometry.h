@@ -127,7 +127,7 @@ template <class Real>
 inline bool shares_meshes(const TracedGeometry<Real>& geometry) {
   return !geometry.instances.empty();
 }
-/// Of all numbers that primitives have.
+/// Number of primitives, instanced ones included.
 template <class Real>
 inline std::uint32_t primitive_count(const TracedGeometry<Real>& geometry) {
   return geometry.numbers.empty() ? static_cast<std::uint32_t>(geometry.primitives.size()) : geometry.numbered;

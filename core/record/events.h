@@ -137,7 +137,7 @@ struct VertexLightEvent {
   Vec3d position{0, 0, 0};    ///< of the point
   Vec3d normal{0, 0, 1};      ///< at the point, any length
   Vec3d light{0, 0, 0};       ///< sum over the lights, before the weight
-  Vec3d extra{0, 0, 0};       ///< the same of what has a colour of its own
+  Vec3d extra{0, 0, 0};       ///< the same sum for parts with a colour of their own
 };
 
 /// Local colour of a surface point: light times colour.

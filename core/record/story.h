@@ -35,7 +35,7 @@ struct PixelStory {
   std::uint64_t triangles_elsewhere = 0;
   /// What the renderer cannot report of the pixel, in one sentence; empty where it reports every step.
   std::string not_reported;
-  /// Of the textbook renderer: the values that its listing had for this pixel (textbook/trace_listing.h).
+  /// For the textbook renderer: the values that its listing had for this pixel (textbook/trace_listing.h).
   std::shared_ptr<const ListingTrace> listing;
 };
 

@@ -24,9 +24,9 @@ struct Provenance {
   std::vector<std::pair<std::string, std::string>> more;  ///< what only this export has, such as its scene
 };
 
-/// Of work with these settings on this machine. `drawn_by` is what drew the picture, where that is known.
+/// Provenance of work with these settings on this machine. `drawn_by` is what drew the picture, where that is known.
 Provenance provenance_of(const Settings& settings, const std::optional<Machinery>& drawn_by = {});
-/// Of work by all of a machine, such as a study over many settings.
+/// Provenance of work by all of a machine, such as a study over many settings.
 Provenance provenance_of(const Machine& machine, std::string settings);
 
 /// All of it as keys and values, in a fixed order.

@@ -21,7 +21,7 @@ struct ObjMaterials {
 ObjMaterials load_obj_materials(const std::filesystem::path& obj, const std::vector<ObjReference>& files,
                                 ObjModel& model);
 
-/// The same for the text of one material file; textures are looked for beside `path`. Throws InputError for what is no
+/// The same for the text of one material file; textures are looked for beside `path`. Throws InputError for other than
 /// text.
 ObjMaterials parse_obj_materials(std::string_view text, const std::filesystem::path& path, ObjModel& model);
 

@@ -8,7 +8,7 @@
 
 namespace ps {
 
-/// Shared by whoever runs a long study and whoever watches it. All members may be called from any thread.
+/// Shared by the thread of a long study and its observers. All members may be called from any thread.
 class StudyControl {
  public:
   /// For the renders inside the study; a stop asked for here ends the study too.

@@ -25,7 +25,7 @@ StabilityJson stability_head(const StabilityRequest& request) {
           {"machine", {{"version", machine.version}, {"processor", machine.processor}, {"simd", machine.simd}}}};
 }
 
-/// JSON has no word for what is not a finite number.
+/// JSON cannot represent NaN or infinity.
 StabilityJson number_or_word(double value) {
   if (std::isnan(value)) return "nan";
   if (std::isinf(value)) return value > 0 ? "inf" : "-inf";

@@ -19,7 +19,7 @@ struct CanvasWrite {
 /// picture only; what is put elsewhere is dropped.
 class BookCanvas {
  public:
-  /// With `progress` (which must outlive it) whoever draws on it is stopped by Cancelled when that is asked for.
+  /// With `progress` (which must outlive it) drawing throws Cancelled once a stop is requested.
   BookCanvas(int width, int height, const TileRect& part, const Vec3d& background, const Progress* progress = nullptr)
       : width_(width), height_(height), reach_(3.0 * std::max(width, height)), part_(part),
         colours_(part.width(), part.height(), background), nearest_(part.width(), part.height(), 0),

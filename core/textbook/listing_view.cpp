@@ -77,7 +77,7 @@ int ListingView::shared_depth(int a, int b) const {
   return a < 0 ? -1 : depth_[static_cast<std::size_t>(a)];
 }
 
-/// Of each loop the instance around the focus; else the one that shares most with it, is least deep, and comes first.
+/// For each loop the instance around the focus; else the one that shares most with it, is least deep, and comes first.
 void ListingView::choose() {
   chosen_.clear();
   for (const auto& [line, candidates] : instances_) {

@@ -17,8 +17,8 @@ class Content {
 
   /// Draws one frame with Dear ImGui; called between NewFrame and Render.
   virtual void draw() = 0;
-  /// Work is going on whose end will change the window (renders, loading). Scripts wait for its end. Whoever does the
-  /// work calls Shell::wake() when there is something new to draw.
+  /// Work is going on whose end will change the window (renders, loading). Scripts wait for its end. The thread that
+  /// does the work calls Shell::wake() when there is something new to draw.
   virtual bool busy() const = 0;
   /// Wants the next frame although no event arrived (an animation is running).
   virtual bool animating() const { return false; }

@@ -7,8 +7,8 @@
 
 namespace ps::gui {
 
-/// Finds what of a frame does not fit: text that is cut off, and controls that lie over each other. It knows every
-/// control that is recorded for scripts (record.h), and every text that the widgets draw into a rectangle.
+/// Finds the parts of a frame that do not fit: text that is cut off, and controls that lie over each other. It knows
+/// every control that is recorded for scripts (record.h), and every text that the widgets draw into a rectangle.
 class FitWatch {
  public:
   /// A control was drawn here; the rest of it is clipped away. Called by ControlRecords.

@@ -335,7 +335,7 @@ bool App::Parts::busy() const {
          std::any_of(panels.begin(), panels.end(), [](const Panel& panel) { return panel.busy && panel.busy(); });
 }
 
-/// What is open is to be there again after a crash, and how the window is divided at the next start.
+/// Autosaves the document for the case of a crash, and remembers the layout for the next start.
 void App::Parts::keep_what_is_open() {
   constexpr std::chrono::seconds start{30};
   if (session.revision() != first_revision && std::chrono::steady_clock::now() - started >= start)
@@ -387,7 +387,7 @@ void App::Parts::draw() {
   if (!presents) menu_bar.draw();
   const float top = ImGui::GetCursorScreenPos().y, status_height = presents ? 0 : ImGui::GetFrameHeight() + px(2);
   regions.draw({{0, top}, {size.x, size.y - status_height - status_bar.bars_height}}, offers_first_look);
-  // Who begins a lesson in another way has passed the offer by.
+  // Opening a lesson in any other way dismisses the offer.
   if (regions.first_look_answered() || (offers_first_look && !session.document().lesson.empty())) {
     offers_first_look = false;
     shell.remember(first_look_key, "answered");

@@ -11,7 +11,7 @@ namespace ps::gui {
 class FileDialog {
  public:
   void ask(FileQuestion question);
-  /// Draws the dialog if it is open, and gives the file to whoever asked once it is chosen.
+  /// Draws the dialog if it is open, and gives the file to its caller once it is chosen.
   void draw();
 
  private:

@@ -18,7 +18,7 @@ struct Size {
   float width = 0, height = 0;
 };
 
-/// What of a width is not picture.
+/// The part of a width that is not picture.
 float between_pictures(const PlanInput& in, int count) {
   return in.scale * (picture_gap * static_cast<float>(count - 1) + 2 * picture_margin);
 }

@@ -166,7 +166,7 @@ void Regions::lesson_text(const Area& area) {
   titled_text(area, lesson->title);
 }
 
-/// Of the open lesson, whose title may be shown elsewhere.
+/// The text of the open lesson, whose title may be shown elsewhere.
 void Regions::titled_text(const Area& area, const std::string& title) {
   Area text{area.min, {area.max.x + px(text_overlap), area.max.y}};
   text = above_question(text);

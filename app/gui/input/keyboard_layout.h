@@ -51,7 +51,7 @@ class KeyboardLayout {
   std::string label(const Chord& chord) const;
   /// The letter or sign on the key in a place, as capital; the US one if it has none that the window's fonts show.
   std::string label_of_place(Key place) const;
-  /// The same of several, given as letters of a US keyboard: "Z Q S D" for "WASD" on a French one.
+  /// The same for several, given as letters of a US keyboard: "Z Q S D" for "WASD" on a French one.
   std::string labels_of_places(std::string_view letters) const;
 
  private:

@@ -47,7 +47,7 @@ struct Panel {
   std::string_view help;            ///< one sentence
   /// Answers whether the panel shall fill the window, or no longer.
   std::function<bool(const Context&)> draw;
-  /// What of its controls has room in the line of its name, where the panel needs all of the height below; answers
+  /// Draws the controls that have room in its title bar, where the panel needs all of the height below; answers
   /// like `draw`.
   std::function<bool()> head = {};
   std::function<void(Actions&)> actions = {};

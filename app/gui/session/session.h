@@ -137,7 +137,7 @@ class Session {
   const std::vector<std::string>& recent() const { return recent_; }
   /// Puts a file in front of the recent ones, so that it is offered.
   void note_recent(const std::string& name);
-  /// Of the document as it is now; made anew only after it has changed.
+  /// Permalink of the document; made anew only after a change.
   const std::string& permalink() const;
   /// Grows with every change of the document. What follows from the document alone is up to date as long as this is
   /// the number that it was made for.

@@ -106,7 +106,7 @@ std::optional<std::string> light_value(const Session& session, std::string_view 
   return {};
 }
 
-/// Of a path that scene/edit.h knows.
+/// Text of a scene property, by its path in scene/edit.h; nullopt if unknown.
 std::optional<std::string> property_value(const Session& session, std::string_view path) {
   try {
     return get_property(session.scene(), path);

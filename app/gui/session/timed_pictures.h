@@ -17,7 +17,7 @@ struct TimedPicture {
 class TimedPictures {
  public:
   void add(TimedPicture timed);
-  /// Of this picture; nullptr if it has not been timed.
+  /// The times of this picture; nullptr if it has not been timed.
   const TimedPicture* find(const PictureRequest& request) const;
 
  private:

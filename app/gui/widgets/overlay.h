@@ -3,7 +3,7 @@
 
 namespace ps::gui {
 
-/// A window over all others, which a click beside it closes. `just_opened` is set by whoever opens it, so that the
+/// A window over all others, which a click beside it closes. `just_opened` is set by its opener, so that the
 /// click that did so does not count.
 class Overlay {
  public:

@@ -54,7 +54,7 @@ void NewestJob::work() {
     try {
       job(*progress);
     } catch (const Cancelled&) {
-      // Whoever asked for the stop has what they want.
+      // The stop was asked for.
     }
     lock.lock();
     running_ = nullptr;

@@ -18,7 +18,7 @@ void StoryAhead::prepare(const PictureRequest& picture, Vec2i pixel, const std::
     } catch (const Cancelled&) {
       throw;
     } catch (const std::exception&) {
-      // Whoever clicks is shown why.
+      // A click on the pixel shows why.
     }
   });
 }

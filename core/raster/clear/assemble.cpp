@@ -79,7 +79,7 @@ class Assembler {
     return true;
   }
 
-  /// The same of a triangle so large or so small that Real cannot square its normal: its vertices before rounding.
+  /// The facing of a triangle so large or so small that Real cannot square its normal: its vertices before rounding.
   bool look_in_double() {
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3d world = object_.world(object_.mesh->positions[source_.triangle->position[k]]);

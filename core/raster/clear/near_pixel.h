@@ -33,8 +33,8 @@ bool near_pixel(const Pass<Real>& pass, const std::array<Vec3<Real>, 3>& corner,
          high.y + 1 >= Real(pixel.y);
 }
 
-/// Pixels between a triangle and an inspected pixel from which on it is far: near_pixel() and whoever draws or measures
-/// the pixel with its surroundings look less far.
+/// Pixels between a triangle and an inspected pixel from which on it is far: near_pixel() and code that draws or
+/// measures the pixel with its surroundings look less far.
 inline constexpr int far_from_pixel = 3;
 
 /// A quick answer for triangles whose vertices have a place: whether it is far from the pixel.

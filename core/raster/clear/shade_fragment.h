@@ -155,7 +155,7 @@ Vec2<Real> relief_uv(const Pass<Real>& pass, const TriangleSetup<Real>& setup, c
 }
 
 /// Light on the fragment: computed here (Phong), or carried over from the vertices (Gouraud) or the triangle (flat);
-/// the inspector then hears how it was computed there.
+/// the recorder then gets the lighting events of those points.
 template <class Real, class Recorder>
 Lighting<Real> light_fragment(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
                               const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,

@@ -112,7 +112,7 @@ Key map_key(std::string_view of, const Scene& scene, const Settings& settings) {
   return key;
 }
 
-/// What the maps of so many mirrors take.
+/// The memory for the maps of `mirrors` objects.
 MemoryNeed need_of(std::uint64_t mirrors, const Settings& settings, int copies) {
   const auto size = static_cast<std::uint64_t>(settings.environment_size);
   return {mirrors * 6 * size * size * sizeof(Vec3f) * static_cast<std::uint64_t>(copies),
@@ -123,7 +123,7 @@ MemoryNeed need_of(std::uint64_t mirrors, const Settings& settings, int copies) 
 /// Makes the maps that are not in `prepared`.
 class MapMaker {
  public:
-  /// `mirrors` objects are going to ask for their maps, of which there will be so many `copies`.
+  /// `mirrors` objects are going to ask for their maps, of which there will be `copies` each.
   MapMaker(const Scene& scene, const Settings& settings, Prepared& prepared, std::uint64_t mirrors, int copies,
            const DrawColours& draw)
       : scene_(scene), settings_(settings), prepared_(prepared), left_(mirrors), copies_(copies), draw_(draw),

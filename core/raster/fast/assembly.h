@@ -72,7 +72,7 @@ struct AssemblyRules {
 };
 inline constexpr int fast_subpixel_bits = 8;  ///< at most
 
-/// Of triangles whose box has at most this many samples on each side it is found out whether they cover any.
+/// Triangles whose box has at most this many samples on each side are tested for whether they cover any.
 inline constexpr int tiny_side = 4;
 
 /// What became of a block's triangles; bit i is triangle i.

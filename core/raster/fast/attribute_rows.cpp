@@ -120,7 +120,7 @@ void AttributeRows::fetch(const TileTriangle& triangle) const {
     hwy::Prefetch(&pass_.objects[origin.object].mesh->triangles[origin.triangle]);
 }
 
-/// The same of its vertices; fetch() has been called some time ago.
+/// The same for its vertices; fetch() has been called some time ago.
 void AttributeRows::fetch_vertices(const TileTriangle& triangle) const {
   if (triangle.triangle->is_general()) return;
   const FastTriangle& origin = *triangle.triangle;

@@ -5,7 +5,7 @@
 namespace ps::raster {
 
 /// Whether what is written stays in the cache, or goes past it: right for a picture that is larger than the cache and
-/// that nobody reads tile by tile, for then no line is fetched first only to be overwritten. Who asks for levels and is
+/// that is not read tile by tile, for then no line is fetched first only to be overwritten. Who asks for levels and is
 /// called for each tile reads the levels.
 enum class Stores { in_cache, past_cache };
 

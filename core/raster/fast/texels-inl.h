@@ -129,7 +129,7 @@ struct TwoLevels {
     return mix(near(lanes), far(lanes), hn::Broadcast<k>(between));
   }
 };
-/// The same where the weight of `far` may be null, and not a number what lies there.
+/// The same where the weight of `far` may be 0 and its texel NaN.
 struct OneOrTwoLevels {
   TwoLevels levels;
 
@@ -167,7 +167,7 @@ HWY_INLINE hn::Vec<Quarter> read_two_pairs(const std::uint32_t* texels, const st
   return hn::BitCast(Quarter(),
                      hn::Combine(two, hn::LoadU(pair, texels + index[1]), hn::LoadU(pair, texels + index[0])));
 }
-/// The same of lanes 0, 1, 4, 5, ... of what `index` points at.
+/// The same for lanes 0, 1, 4, 5, ... of the numbers at `index`.
 HWY_INLINE V read_pairs(const std::uint32_t* texels, const std::int32_t* index) {
   const auto low = read_two_pairs(texels, index);
 #if HWY_MAX_BYTES == 16

@@ -7,7 +7,7 @@
 
 namespace ps {
 
-/// What a picture of such a scene leaves out when it is drawn triangle by triangle, whoever draws them. `subject` names
+/// What a picture of such a scene leaves out when it is drawn triangle by triangle, by any renderer. `subject` names
 /// the renderer at the beginning of a sentence.
 std::vector<LeftOut> left_out_by_fragments(const SceneTraits& traits, const Settings& settings,
                                            std::string_view subject);

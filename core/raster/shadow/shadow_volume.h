@@ -53,7 +53,7 @@ struct ShadowVolumeOptions {
 /// is as dark as 1. Empty for ambient light. Throws Cancelled (base/stop.h).
 ShadowVolume make_shadow_volume(const DrawObject& object, const Light& light, const ShadowVolumeOptions& options);
 
-/// The volumes of all objects that cast shadows, for each light: transparent ones do not. As the settings say.
+/// Shadow volumes of all opaque objects, one list for each light, as `settings` choose.
 std::vector<std::vector<ShadowVolume>> make_shadow_volumes(const Scene& scene, const std::vector<DrawObject>& objects,
                                                            const Settings& settings);
 

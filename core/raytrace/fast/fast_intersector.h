@@ -25,7 +25,7 @@ class FastIntersector final : public RaySearch<float> {
 
   /// Intersector::reach() of what the wide trees hold.
   float reach_of(const Ray<float>& ray) const { return std::max(geometry_.float_reach, largest_component(ray.origin)); }
-  /// Of a ray that suits(), whose reach_of() this is. One function for each of the two, and one
+  /// The nearest hit of a ray that suits(), whose reach_of() this is. One function for each of the two, and one
   /// variable that it returns: what is done for each ray counts.
   template <Find what>
   Hit<float> find(const Ray<float>& ray, float reach) const;

@@ -92,7 +92,7 @@ struct ShadowMasks {
     if (light < 32) bits = hn::Or(bits, hn::IfThenElseZero(hn::RebindMask(d, blocked), hn::Set(d, 1u << light)));
   }
 };
-/// Where nobody asks for them.
+/// In place of masks where none are asked for.
 struct NoShadowMasks {
   void add(std::size_t, M) {}
 };

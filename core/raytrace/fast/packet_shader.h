@@ -19,7 +19,7 @@ class PacketShader {
     packet_.attributes.fill(-1);
   }
 
-  /// Of up to packet_width rays.
+  /// Shades the hits of up to packet_width rays.
   void shade(std::span<const Ray<float>> rays, std::span<const Hit<float>> hits, std::span<Vec3f> colours);
 
  private:

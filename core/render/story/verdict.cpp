@@ -168,7 +168,7 @@ void add_shadow_remarks(const PixelStory& story, std::vector<std::string>& parts
                               : fmt::format("it lies in the shadow of light {}", light));
 }
 
-/// Of the fragment that wrote last.
+/// The sentence about the fragment that wrote last.
 std::string winner_behind_camera(const PixelStory& story) {
   const FragmentEvent* fragment = nullptr;
   std::string text;

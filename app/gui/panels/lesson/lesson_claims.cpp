@@ -9,7 +9,7 @@
 namespace ps::gui {
 namespace {
 
-/// What of a document changes its pictures, and nothing else.
+/// The parts of a document that change its pictures, and no others.
 Document pictures_of(const Document& document) {
   Document pictures;
   pictures.scene_name = document.scene_name;

@@ -30,7 +30,7 @@ class LessonClaims {
   /// does, and what is known of the claims has changed with it.
   bool measure_changed(const Session& session);
 
-  /// Nothing is begun or gone on with while the pictures render, or a study measures times.
+  /// Pauses measuring while the pictures render, or a study measures times.
   void hold(bool held) {
     held_ = held;
     measuring_.set_held(held);

@@ -28,7 +28,7 @@ struct StepVerdict {
 /// Which page of a step's text is shown, in its panel or as the presenter's caption.
 struct ReadPage {
   int page = 0, pages = 1;
-  bool turned_back = false;  ///< the previous step was reached from the begin of the one after it
+  bool turned_back = false;  ///< the step was entered by paging back from the next one
   Seen seen;
   double line_length = 0;  ///< characters that a full line holds; of the panel's text alone
   std::string lesson;

@@ -23,7 +23,7 @@ struct OptionsPanelState {
   ObjectPanelState object;
   const Option* pointed = nullptr;                ///< highlighted, until it is changed or searched away from
   bool come_to_pointed = false;                   ///< its row is still to be scrolled into sight
-  const Option* sweep = nullptr;                  ///< asked for from a row's menu, until whoever draws charts takes it
+  const Option* sweep = nullptr;                  ///< asked for from a row's menu, until the chart's panel takes it
   std::map<std::string, bool, std::less<>> open;  ///< groups; those that are missing are as at the first start
   WakingCache wakings;
 };

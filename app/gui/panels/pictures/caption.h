@@ -16,7 +16,7 @@ struct CaptionWork {
   std::string one;         ///< "triangle"
   bool attention = false;  ///< worth more attention than all the others
 };
-/// Of a finished picture, the most important first.
+/// Work of a finished picture, the most important first.
 std::vector<CaptionWork> caption_work(const RenderResult& result);
 /// "37 triangles", or "19 → 37 triangles" where it was another number before.
 std::string work_text(const CaptionWork& work, std::optional<std::uint64_t> before = {});

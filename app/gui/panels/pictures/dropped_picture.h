@@ -20,7 +20,7 @@ struct DroppedPicture {
 /// at once.
 void ask_about_picture(Session& session, DroppedPicture& state, const std::filesystem::path& file, int object);
 
-/// The question, in the middle of the window; nothing while none is asked. Esc is left to whoever calls.
+/// The question, in the middle of the window; absent while none is asked. Esc is left to the caller.
 void dropped_picture(Session& session, DroppedPicture& state);
 
 }  // namespace ps::gui

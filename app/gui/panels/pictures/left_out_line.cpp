@@ -17,7 +17,7 @@ namespace {
 constexpr double room_for_others = 128;  ///< of the row, at scale 1
 constexpr double mark_size = 11, item_gap = 6;
 
-/// Of the first `count`.
+/// Width of the first `count` buttons.
 float width_of_buttons(const LeftOut& one, std::size_t count) {
   float width = 0;
   for (std::size_t i = 0; i < count; ++i) width += button_width(one.remedies[i].label) + px(item_gap);

@@ -71,7 +71,7 @@ struct PicturesState {
   double difference_asked = 0;                        ///< gain that the document asked for then
   bool difference_settled = false;                    ///< its gain is that of whole pictures
   ErrorMetric difference_metric = ErrorMetric::rmse;  ///< beside the difference
-  std::unique_ptr<DifferenceMeter> meter;             ///< made by whoever owns the state
+  std::unique_ptr<DifferenceMeter> meter;             ///< made by the owner of the state
   StoryAhead ahead;                                   ///< of the picture under the mouse
 
   bool grid = true;
@@ -94,9 +94,9 @@ struct PicturesState {
   ImVec2 drag_from{0, 0};
   bool handles = true;                  ///< lights and spheres can be dragged
   Side drag_side = Side::a;             ///< in whose picture the drag began
-  std::optional<Handle> grabbed;        ///< what the mouse has taken hold of, as it was then
+  std::optional<Handle> grabbed;        ///< the handle being dragged, as it was at the start
   bool gizmo = false;                   ///< the picked object can be moved, turned and scaled
-  std::optional<GizmoDrag> gizmo_drag;  ///< what the mouse has taken hold of of that
+  std::optional<GizmoDrag> gizmo_drag;  ///< the part of the gizmo being dragged
   PickedObject picked;
 };
 

@@ -29,7 +29,7 @@ bool presents(const Session& session) { return session.document().mode == Screen
 /// Before a class all words are as large as the lesson's caption.
 Face strip_face(const Session& session) { return presents(session) ? Face::caption : Face::body; }
 
-/// Of the list of units: the longest has room in it.
+/// Width of the list of units: the longest has room in it.
 float unit_width(const Session& session) {
   constexpr double arrow = 32;  // at scale 1, with the space around the word
   float widest = 0;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double room_share = 0.3;  // of the view, for an arrow
 
-/// Of the view that is on the screen, which may be a frame older than the document.
+/// The sight of the view that is on the screen, which may be a frame older than the document.
 Sight sight_of(const SpacePanelState& state) { return {state.picture->view, {}}; }
 
 std::vector<ShownGizmo> gizmos_in_space(const Session& session, const SpacePanelState& state,

@@ -9,7 +9,7 @@
 
 namespace ps::gui {
 
-/// What of a model is drawn, and how.
+/// The parts of a model that are drawn, and their style.
 struct SpaceLook {
   std::array<bool, space_groups.size()> groups{};  ///< by SpaceGroup
   double least_contribution = 0;                   ///< rays below are left out with what belongs to them

@@ -271,7 +271,7 @@ void caption(const SpacePanelState& state, const Session& session, int event, co
   draw_lines(at, text, palette().text);
 }
 
-/// What of the model is drawn now.
+/// The parts of the model that are drawn.
 SpaceLook look_of(const Session& session, const SpacePanelState& state) {
   SpaceLook look;
   look.groups = shown_groups(outside(session));

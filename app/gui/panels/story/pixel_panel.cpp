@@ -204,7 +204,7 @@ void nothing_picked(Session& session) {
   ImGui::PopStyleColor();
 }
 
-/// What of the stories is shown, in the order of story_names::all.
+/// The part of the stories that is shown, in the order of story_names::all.
 enum class Shown { one, both, parting };
 
 /// A key that this version does not know shows one story.

@@ -22,7 +22,7 @@ struct PredictState {
   int asked = 0;  ///< questions answered so far
   double points = 0;
   std::string words;                        ///< of the lesson's question about the pixel; empty = none
-  std::unique_ptr<LessonQuestions> lesson;  ///< made by whoever owns the state
+  std::unique_ptr<LessonQuestions> lesson;  ///< made by the owner of the state
 };
 
 /// Whether an open question hides the story. Takes up the lesson's question, and a newly picked pixel. Questions of a

@@ -272,7 +272,7 @@ void load_point(Session& session, const ChartPoint& point, Side side) {
   session.set_settings(side, point.what.value, fmt::format("{}: {} (chart)", letter_of(side), point.what.name));
 }
 
-/// Of the sentence under the chart, wrapped.
+/// Height of the sentence under the chart, wrapped.
 float conclusion_height(const ChartTabState& state, const Area& area) {
   if (state.conclusion.empty()) return 0;
   ImFont* font = theme().font(Face::body);

@@ -7,7 +7,7 @@
 
 namespace ps::gui {
 
-/// Of both buttons, window pixels.
+/// Width of both buttons, window pixels.
 inline float pause_and_stop_width() {
   return std::max(button_width("Go on"), button_width("Pause")) + px(3) + button_width("Stop");
 }

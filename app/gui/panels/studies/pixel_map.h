@@ -11,7 +11,7 @@ namespace ps::gui {
 /// mouse.
 std::optional<Vec2i> pixel_map(const char* name, const Texture& texture, ImVec2 room, Session& session, Side side);
 
-/// Of all pixels with that value the one that is nearest to the middle of them.
+/// The pixel with that value that is nearest to the centre of all such pixels.
 template <class T>
 std::optional<Vec2i> typical_pixel(const Image<T>& map, const T& value) {
   Vec2d middle{0, 0};

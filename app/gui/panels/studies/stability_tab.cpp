@@ -32,7 +32,7 @@ bool complete(const StabilityTabState& state, std::string_view key) {
   return found != state.measured.end() && found->second.complete;
 }
 
-/// Why this machine could not measure it; empty where it could, or where nobody has asked.
+/// Why this machine could not measure it; empty where it could, or where that was not asked.
 std::string why_absent(const StabilityTabState& state, std::string_view key) {
   const auto found = state.measured.find(key);
   return found == state.measured.end() ? "" : found->second.absent;

@@ -23,7 +23,7 @@ class StepWork {
     of_->left = true;
     return true;
   }
-  /// Nobody waits for it.
+  /// The result is no longer wanted.
   bool left() const { return of_ && of_->left; }
   /// To the step that was left.
   bool came_back(const Session& session) const { return left() && here(session); }

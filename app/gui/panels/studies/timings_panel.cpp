@@ -83,7 +83,7 @@ std::optional<double> stage_time(const std::shared_ptr<const RenderResult>& resu
   return {};
 }
 
-/// Of the runs that made the pictures. They are not to be compared with one another, so there is no ratio.
+/// Times of the runs that made the pictures. They are not to be compared with one another, so there is no ratio.
 void single_times(const Results& results) {
   if (!ImGui::BeginTable("times", 4, ImGuiTableFlags_SizingFixedFit, table_size())) return;
   timing_columns();

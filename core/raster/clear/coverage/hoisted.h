@@ -41,7 +41,7 @@ class HoistedWeights {
   std::array<Real, 3> offset_, scale_, row_{};
 };
 
-/// Of one sample.
+/// Weights of one sample.
 template <class Real>
 std::array<Real, 3> hoisted_weights(const CoverageInput& input, int column, int row) {
   HoistedWeights<Real> weights(input);
