@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::uintmax_t most_bytes = 16u << 20;
 
-/// Nothing for a line that is no answer, as this program writes it.
+/// nullopt for a line that is no answer, as this program writes it.
 std::optional<GivenAnswer> read_answer(const std::string& line) {
   constexpr int most_steps = 10000;
   const nlohmann::json entry = nlohmann::json::parse(line, nullptr, false);

@@ -45,9 +45,9 @@ Course load_course();
 /// Names of all its lessons, in order.
 std::vector<std::string> lessons_of(const Course& course);
 
-/// Where a step is now of a lesson that once had the name `place.lesson`; nothing for any other name.
+/// Where a step is now of a lesson that once had the name `place.lesson`; nullopt for any other name.
 std::optional<LessonPlace> successor_in(const Course& course, const LessonPlace& place);
-/// The same in load_course(); nothing if that cannot be read.
+/// The same in load_course(); nullopt if that cannot be read.
 std::optional<LessonPlace> successor_of(const LessonPlace& place);
 
 /// Title of the part with this lesson; empty if none has it.

@@ -47,7 +47,7 @@ struct LeftOutLesson {
 };
 const std::vector<LeftOutLesson>& lessons_left_out();
 
-/// Why this machine cannot show what the lesson needs, such as a graphics driver that is missing; nothing if it can.
+/// Why this machine cannot show what the lesson needs, such as a graphics driver that is missing; nullopt if it can.
 std::optional<std::string> why_not_here(const Lesson& lesson);
 /// Where a step is.
 struct LessonPlace {

@@ -71,7 +71,7 @@ class OctreeBuilder {
   OctreeBuilder(const OctreeOptions& options, const Places& places, const Overlaps& overlaps, Sharing sharing)
       : options_(options), places_(places), overlaps_(overlaps), sharing_(sharing) {}
 
-  /// Nothing where first come, first served does not leave enough for everyone.
+  /// nullopt where first come, first served does not leave enough for everyone.
   std::optional<Octree<Real>> build(const Box<Real>& box) {
     octree_.nodes.emplace_back();
     octree_.nodes[0].box = box;

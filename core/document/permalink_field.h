@@ -34,7 +34,7 @@ void parse_pin(std::string_view part, std::string_view value, std::optional<Pin>
 double parse_in_range(std::string_view text, double low, double high, std::string_view what);
 int parse_whole(std::string_view text, int low, int high, std::string_view what);
 
-/// The number, or nothing where it is the default.
+/// The number, or nullopt where it is the default.
 std::optional<std::string> number_unless(double value, double standard);
 std::optional<std::string> text_unless(const std::string& value, const std::string& standard);
 

@@ -23,7 +23,7 @@ bool is_there(const fs::path& path) {
   return fs::exists(path, error);
 }
 
-/// The path that begins in this folder or in one above it; nothing if there is none.
+/// The path that begins in this folder or in one above it; nullopt if there is none.
 std::optional<fs::path> found_above(const fs::path& name, fs::path folder) {
   for (folder = fs::absolute(folder).lexically_normal();; folder = folder.parent_path()) {
     if (is_there(folder / name)) return (folder / name).lexically_normal();

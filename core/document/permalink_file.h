@@ -11,7 +11,7 @@ namespace ps {
 inline constexpr const char* permalink_extension = ".permalink";
 
 /// The permalink that a file holds: the line of a .permalink file, or the text that pictures saved by the programs
-/// carry (PNG). Nothing for any other file, and for a picture without one. Relative paths in it that lead nowhere from
+/// carry (PNG). nullopt for any other file, and for a picture without one. Relative paths in it that lead nowhere from
 /// the working folder are looked for from the file's folder and those above it. Throws InputError for a file that
 /// cannot be read.
 std::optional<std::string> permalink_in_file(const std::filesystem::path& path);

@@ -29,7 +29,7 @@ struct LeftOut {
   std::vector<Remedy> remedies;
 };
 
-/// That the surfaces of the picture get no light, and why; nothing if they get some or need none. `subject` names the
+/// That the surfaces of the picture get no light, and why; nullopt if they get some or need none. `subject` names the
 /// renderer at the beginning of a sentence.
 std::optional<LeftOut> missing_light(const SceneTraits& traits, const Settings& settings, std::string_view subject);
 

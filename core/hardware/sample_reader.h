@@ -19,7 +19,7 @@ class SampleReader {
   SampleReader(const SampleReader&) = delete;
   SampleReader& operator=(const SampleReader&) = delete;
 
-  /// In the depth buffer, from 0 to 1, by sample. Nothing where the driver has no textures for it.
+  /// In the depth buffer, from 0 to 1, by sample. nullopt where the driver has no textures for it.
   std::optional<std::vector<float>> depths(const Target& target, Vec2i pixel);
   /// In the stencil buffer of a target that has one, by sample.
   std::vector<int> stencils(const Target& target, Vec2i pixel);

@@ -13,7 +13,7 @@ class ShaderFiles {
   /// The text of the file of this name ("fragment.glsl"). Throws InputError for a file that cannot be read, and for a
   /// name that leads out of the folder of the shaders.
   const std::string& text(const std::string& name);
-  /// The name in a line `#include "tints.glsl"`; nothing for any other line.
+  /// The name in a line `#include "tints.glsl"`; nullopt for any other line.
   static std::optional<std::string> included_name(std::string_view line);
 
  private:

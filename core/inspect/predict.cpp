@@ -49,7 +49,7 @@ Question parse_question(std::string_view text) {
 
 namespace {
 
-/// Nothing if the renderer does not count all of these.
+/// nullopt if the renderer does not count all of these.
 std::optional<std::uint64_t> sum_of(const PixelStory& story, std::initializer_list<Counter> counters) {
   std::uint64_t sum = 0;
   for (const Counter counter : counters) {

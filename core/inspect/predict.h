@@ -40,7 +40,7 @@ struct Judgement {
   std::string sentence;
 };
 
-/// Why the question makes no sense for this story ("fragments need no rays"), or nothing.
+/// Why the question makes no sense for this story ("fragments need no rays"), or nullopt.
 std::optional<std::string_view> not_askable(Question question, const PixelStory& story);
 
 /// Triangles of meshes that may be asked for, in the order of their objects; empty where there are too many to choose

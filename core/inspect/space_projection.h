@@ -26,9 +26,9 @@ class SpaceProjection {
   /// What lies nearer than `near` (depth, world units) is not shown. Throws InputError for a flat camera frame.
   SpaceProjection(const View& view, const Settings& settings, double near);
 
-  /// Nothing for a point before the near plane.
+  /// nullopt for a point before the near plane.
   std::optional<SpacePlace> point(const Vec3d& world) const;
-  /// The part of a line in front of the near plane; nothing if there is none.
+  /// The part of a line in front of the near plane; nullopt if there is none.
   std::optional<SpaceRun> line(const Vec3d& from, const Vec3d& to) const;
   /// A convex polygon, cut at the near plane; empty if all of it is before it.
   std::vector<SpacePlace> polygon(const std::vector<Vec3d>& corners) const;

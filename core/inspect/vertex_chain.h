@@ -60,7 +60,7 @@ VertexChain vertex_chain(const Scene& scene, const View& view, const Settings& s
 
 /// The vertex that is seen nearest to a place on the canvas (pixels from the top left) among all in front of the
 /// camera, or among the vertices of `triangle` where that is a triangle of a model. Of equals the one nearer to the
-/// eye, then the first. Nothing in a scene without models.
+/// eye, then the first. nullopt in a scene without models.
 std::optional<VertexId> nearest_vertex(const Scene& scene, const View& view, const Settings& settings,
                                        const Vec2d& place, const PixelId& triangle = {});
 

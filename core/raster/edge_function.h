@@ -71,7 +71,7 @@ inline std::int64_t doubled_area(const std::array<FixedPoint, 3>& corner) {
   return across(1) * down(2) - down(1) * across(2);
 }
 
-/// The edges of a triangle in either orientation; nothing for a triangle with zero area.
+/// The edges of a triangle in either orientation; nullopt for a triangle with zero area.
 inline std::optional<TriangleEdges> make_edges(const std::array<FixedPoint, 3>& corner, const CoverageGrid& grid) {
   const std::int64_t unit = fixed_unit(grid.subpixel_bits);
   const auto sample_x = static_cast<std::int64_t>(grid.sample.x * static_cast<double>(unit));

@@ -14,7 +14,7 @@ struct Refraction {
 };
 
 /// Snell's law (CGFS ch. 5): from index n1 into n2. `direction` has any length, `normal` length 1 on either side.
-/// Nothing in total internal reflection.
+/// nullopt in total internal reflection.
 template <class Real>
 inline std::optional<Refraction<Real>> refract(const Vec3<Real>& direction, const Vec3<Real>& normal, Real n1,
                                                Real n2) {

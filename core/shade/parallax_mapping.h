@@ -17,7 +17,7 @@ namespace ps {
 
 /// How far u and v run along the line of sight from the top of a relief to its bottom. `normal` and `to_eye` may have
 /// any length; `frame` as triangle_frame() gives it, whose directions are dP/du and -dP/dv but for one common factor,
-/// which cancels. `depth` is that of the bottom, in widths of the picture. Nothing where the surface is seen edge-on or
+/// which cancels. `depth` is that of the bottom, in widths of the picture. nullopt where the surface is seen edge-on or
 /// from behind. Parallax::limited leaves out the division by the cosine, so that the shift is never longer than the
 /// depth (Welsh 2004).
 template <class Real>

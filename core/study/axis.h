@@ -24,7 +24,7 @@ struct PlotAxis {
   /// Position of a value; outside values are clamped.
   double place(double value) const;
   std::vector<Tick> ticks() const;
-  /// Where the axis is broken, between the place of zero and the smallest value; nothing if it is whole.
+  /// Where the axis is broken, between the place of zero and the smallest value; nullopt if it is whole.
   std::optional<double> break_place() const;
 };
 

@@ -10,7 +10,7 @@ namespace ps {
 /// A time needs this many runs before its quartiles show how much it varies.
 inline constexpr int least_runs_for_quartiles = 3;
 
-/// What the reference of a chart may be wrong by, as reference_noise() gives it for the chart's metric. Nothing if it
+/// What the reference of a chart may be wrong by, as reference_noise() gives it for the chart's metric. nullopt if it
 /// is not known: errors then differ as soon as their numbers do.
 std::optional<double> chart_noise(const Chart& chart);
 

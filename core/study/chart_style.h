@@ -19,7 +19,7 @@ struct ChartAxes {
 /// Axes that hold all measured points. PSNR and SSIM grow upwards as they are: better is then up, not down.
 ChartAxes chart_axes(const Chart& chart);
 
-/// Where the cost of a point would lie if the upload of the scene were in it; nothing where there is none, and where
+/// Where the cost of a point would lie if the upload of the scene were in it; nullopt where there is none, and where
 /// work is the horizontal axis.
 std::optional<double> cost_with_upload(const Chart& chart, const ChartPoint& point);
 

@@ -9,7 +9,7 @@
 
 namespace ps {
 
-/// Counted work: rays, tests of boxes, primitives and samples, fragments, and reads of textures and maps. Nothing if
+/// Counted work: rays, tests of boxes, primitives and samples, fragments, and reads of textures and maps. nullopt if
 /// the renderer counts none of them.
 std::optional<std::uint64_t> counted_work(const Counters& counters);
 

@@ -56,7 +56,7 @@ Reference make_reference(const Scene& scene, const View& view, const ReferencePl
                          Progress& progress);
 
 /// What the reference itself may be wrong by, in the metric's unit: half the difference of its halves for differences
-/// that add up, the metric between the halves (an upper bound) for the others. Nothing if it is not known.
+/// that add up, the metric between the halves (an upper bound) for the others. nullopt if it is not known.
 std::optional<double> reference_noise(const Reference& reference, ErrorMetric metric);
 
 /// For people: what the truth of the option is, "the picture with self-hit=offset".

@@ -63,7 +63,7 @@ SweepNames split_names(const std::vector<std::string>& names);
 
 /// Swept options that act nowhere in the sweep, each with its reason, in whole sentences.
 std::vector<std::string> idle_axes(std::span<const SweepAxis> axes, const Settings& base, const SceneTraits& traits);
-/// Why a named sweep changes nothing with these settings and this scene ("needs a texture"), or nothing if it does:
+/// Why a named sweep changes nothing with these settings and this scene ("needs a texture"), or nullopt if it does:
 /// none of its options can act. A renderer that it also sweeps does not count.
 std::optional<std::string> idle_sweep(const NamedSweep& sweep, const Settings& base, const SceneTraits& traits);
 

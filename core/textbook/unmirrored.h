@@ -13,7 +13,7 @@ struct Unmirrored {
 };
 
 /// Without negative scale factors: for the listings, which find fronts by the order of the vertices as the camera sees
-/// them, and only turn their normals. The model is mirrored instead. Nothing for an instance that mirrors no axis.
+/// them, and only turn their normals. The model is mirrored instead. nullopt for an instance that mirrors no axis.
 std::optional<Unmirrored> unmirrored(const Mesh& mesh, const Instance& instance);
 
 }  // namespace ps

@@ -31,7 +31,7 @@ class Content {
   }
   /// Sets "key=value" on one side, as a panel would (undoable). Throws InputError for an unknown key or value.
   virtual void set_option(Side side, const std::string& assignment) = 0;
-  /// Where the centre of a picture's pixel (array position) is on screen now; nothing if it is not visible.
+  /// Where the centre of a picture's pixel (array position) is on screen now; nullopt if it is not visible.
   virtual std::optional<WindowPoint> pixel_place(Side side, Vec2i pixel) const = 0;
   /// The user asks to close the window. Answers whether it may close now.
   virtual bool may_close() { return true; }

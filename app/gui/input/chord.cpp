@@ -64,7 +64,7 @@ Key find_key(std::string_view name) {
   return Key::none;
 }
 
-/// How far a key of a row is from the row's first one; nothing for another key.
+/// How far a key of a row is from the row's first one; nullopt for another key.
 std::optional<int> place_in_row(Key key, Key first, Key last) {
   if (key < first || key > last) return {};
   return static_cast<int>(key) - static_cast<int>(first);

@@ -31,7 +31,7 @@ struct Gizmo {
   bool turns = false, scales = false;
 };
 
-/// The gizmo of an object; nothing for CSG objects, whose parts have places of their own, and for objects that are not
+/// The gizmo of an object; nullopt for CSG objects, whose parts have places of their own, and for objects that are not
 /// in the scene.
 std::optional<Gizmo> gizmo_of(const Scene& scene, std::size_t object);
 Gizmo gizmo_of(const Camera& camera);
@@ -42,7 +42,7 @@ struct Sight {
   Settings settings;
 };
 
-/// World units that are `pixels` wide at the depth of a point; nothing for points that are not in front of the camera.
+/// World units that are `pixels` wide at the depth of a point; nullopt for points that are not in front of the camera.
 std::optional<double> world_length(const Sight& sight, const Vec3d& at, double pixels);
 
 /// A drag as it began. All that follows is computed from there, so that its steps leave no rounding errors behind.
@@ -56,7 +56,7 @@ struct GizmoDrag {
   Camera camera;  ///< the picture's
 };
 
-/// How far a drag to a place of the picture goes: world units along the axis, radians about it, or a factor. Nothing
+/// How far a drag to a place of the picture goes: world units along the axis, radians about it, or a factor. nullopt
 /// where the place says nothing about the axis, which may point at the eye.
 std::optional<double> gizmo_travel(const GizmoDrag& drag, const Vec2d& to);
 

@@ -21,7 +21,7 @@ struct Handle {
 /// The handles in front of the camera.
 std::vector<Handle> handles_of(const Scene& scene, const View& view, const Settings& settings);
 
-/// Where a point of the world lies in the picture; nothing for points that are not in front of the camera.
+/// Where a point of the world lies in the picture; nullopt for points that are not in front of the camera.
 std::optional<Vec2d> place_in_picture(const View& view, const Settings& settings, const Vec3d& point);
 
 /// The world position at a place of the picture that is as far along the camera's forward axis as `like`.

@@ -14,7 +14,7 @@ class PickedObject {
   void update(const Session& session);
   /// Another object of the scene in place of the pixel's: `by` on in the scene's order, round and round.
   void step(const Session& session, int by);
-  /// Index into Geometry::objects; nothing while none is picked, or where the scene no longer has it.
+  /// Index into Geometry::objects; nullopt while none is picked, or where the scene no longer has it.
   std::optional<std::size_t> index(const Session& session) const;
 
  private:

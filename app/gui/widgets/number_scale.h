@@ -13,7 +13,7 @@ double slider_position(double value, const NumberRange& range);
 double slider_value(double position, const NumberRange& range);
 /// The next round value (1, 2 or 5 times a power of ten on a logarithmic range) `steps` steps up or down.
 double stepped_value(double value, int steps, const NumberRange& range);
-/// What a person typed, with blanks around it or not, whole for integers and kept in the range; nothing if
+/// What a person typed, with blanks around it or not, whole for integers and kept in the range; nullopt if
 /// parse_typed_number() takes it for no number.
 std::optional<double> typed_value(std::string_view text, const NumberRange& range);
 

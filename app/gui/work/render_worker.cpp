@@ -142,7 +142,7 @@ void RenderWorker::wake() {
   if (wake_ && !woken_.exchange(true)) wake_();
 }
 
-/// The newest request, or nothing if `generation` is not the newest render.
+/// The newest request, or nullopt if `generation` is not the newest render.
 std::optional<PictureRequest> RenderWorker::wanted(std::uint64_t generation) const {
   const std::lock_guard lock(mutex_);
   if (generation != generation_) return {};

@@ -98,7 +98,7 @@ class FragmentsIn final : public Microscope::Fragments {
     }
     if (in_reach && is_near(near.corners) && make_edges(near.corners, pass_.grid)) on_canvas_.push_back(near);
   }
-  /// Whether the rows of a shape hold the pixel; nothing if shapes are not filled by rows.
+  /// Whether the rows of a shape hold the pixel; nullopt if shapes are not filled by rows.
   std::optional<bool> rows_hold_pixel(const CanvasItem& item) const {
     if (pass_.settings.canvas_fill != CanvasFill::rows) return {};
     const Vec2i size{pass_.viewport.columns, pass_.viewport.rows};

@@ -103,7 +103,7 @@ class Microscope {
   /// are said to see: that is read from the picture.
   MicroDetail detail() const { return detail_; }
   const std::vector<MicroSample>& samples() const { return samples_; }
-  /// What lies around the pixel where no edge runs through it or its margin; nothing where one does, or where only a
+  /// What lies around the pixel where no edge runs through it or its margin; nullopt where one does, or where only a
   /// coarse picture was made.
   const std::optional<PixelSurroundings>& surroundings() const { return surroundings_; }
   /// What there is at a point of the pixel or its margin. Rasterizer: the edge functions and weights are those of the

@@ -32,7 +32,7 @@ struct PixelSurroundings {
 };
 
 /// Looks around a pixel of the view, with the one sample that a pixel has without supersampling. Objects, triangles and
-/// shadows count as different; what is drawn on the canvas does not. Throws Cancelled. Nothing for renderers that do
+/// shadows count as different; what is drawn on the canvas does not. Throws Cancelled. nullopt for renderers that do
 /// not say what a pixel shows.
 std::optional<PixelSurroundings> look_around(const Scene& scene, const View& view, const Settings& settings,
                                              Vec2i pixel, Prepared& prepared, Progress& progress);

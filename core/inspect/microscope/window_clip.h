@@ -13,7 +13,7 @@ struct ClipWindow {
   Vec2d low{0, 0}, high{1, 1};
 };
 
-/// The part of a segment inside the window (Liang and Barsky 1984); nothing if there is none.
+/// The part of a segment inside the window (Liang and Barsky 1984); nullopt if there is none.
 inline std::optional<std::array<Vec2d, 2>> clip_segment(const Vec2d& from, const Vec2d& to, const ClipWindow& window) {
   double enter = 0, leave = 1;
   const Vec2d along = to - from;

@@ -58,7 +58,7 @@ const Option* differing_in_what_is_seen(const Comparison& c);
 /// All options that change pictures and explain a difference: "draw is filled in A and points in B, ...".
 std::string all_differences(const Comparison& c);
 
-/// The steps, each in a file of its own; nothing if that step does not part the stories.
+/// The steps, each in a file of its own; nullopt if that step does not part the stories.
 std::optional<Parting> part_at_winner(const Comparison& c, const Sighting& a, const Sighting& b);
 std::optional<Parting> part_at_point(const Comparison& c, const Sighting& a, const Sighting& b);
 std::optional<Parting> part_at_texture(const Comparison& c, const Sighting& a, const Sighting& b);

@@ -7,7 +7,7 @@
 namespace ps::parting {
 namespace {
 
-/// Which of a sphere's roots the hit took, as an index, or nothing for other primitives.
+/// Which of a sphere's roots the hit took, as an index, or nullopt for other primitives.
 std::optional<int> root_taken(const PixelStory& story, const Sighting& sighting) {
   const auto* hit = event_at<HitEvent>(story, sighting.seen);
   if (!hit) return std::nullopt;

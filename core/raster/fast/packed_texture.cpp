@@ -16,7 +16,7 @@ constexpr bool parts_are_quotients() {
 }
 static_assert(parts_are_quotients());
 
-/// The texel as PackedTexture::bytes holds it, or nothing where some channel is not part_of_255() of a byte.
+/// The texel as PackedTexture::bytes holds it, or nullopt where some channel is not part_of_255() of a byte.
 std::optional<std::uint32_t> texel_bytes(const Vec3f& texel) {
   std::uint32_t bytes = 0;
   for (int channel = 0; channel < 3; ++channel) {

@@ -42,7 +42,7 @@ inline constexpr double volume_reach = 1e4;
 
 /// What volumes are made like.
 struct ShadowVolumeOptions {
-  /// World units: how far each vertex is moved away from the light, or nothing for a volume without end.
+  /// World units: how far each vertex is moved away from the light, or nullopt for a volume without end.
   std::optional<double> length{};
   double reach = 1;  ///< length of the sides of a volume without end, world units; large beside the scene
   bool caps = true;  ///< lit triangles and far end; without, the surface is open at both ends

@@ -71,7 +71,7 @@ inline TangentFrame<Real> form_relief_tangents(const TracedForm<Real>& form, int
 
 enum class TangentLengths { any, in_proportion };
 
-/// How the texture lies on the surface that a ray met; nothing where it has no texture coordinates.
+/// How the texture lies on the surface that a ray met; nullopt where it has no texture coordinates.
 template <class Real>
 inline std::optional<TangentFrame<Real>> tangents_of(const Surface<Real>& surface, const TracedGeometry<Real>& geometry,
                                                      TangentLengths lengths = TangentLengths::any) {

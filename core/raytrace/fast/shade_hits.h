@@ -56,7 +56,7 @@ struct HitTables {
   LightHits light = nullptr;
 };
 
-/// The tables for a picture, or nothing if traced_fast_path() allows no SIMD shading or no surface is plain.
+/// The tables for a picture, or nullopt if traced_fast_path() allows no SIMD shading or no surface is plain.
 std::optional<HitTables> hit_tables(const TraceInputs<float>& inputs);
 
 /// The two functions for this setting on this processor, or none.

@@ -20,7 +20,7 @@ struct WideInputs {
   PacketSearches packets;  ///< for rays of neighbouring pixels in `wide`; may be missing
 };
 
-/// Nothing where traced_fast_path() allows no such search, or where no triangle has an area.
+/// nullopt where traced_fast_path() allows no such search, or where no triangle has an area.
 std::optional<WideInputs> wide_inputs(const Scene& scene, const TraceInputs<float>& inputs, Prepared& prepared);
 
 }  // namespace ps

@@ -40,7 +40,7 @@ std::string_view knob_title(const StabilityExperiment& experiment, const Stabili
 std::string_view naive_name(const StabilityExperiment& experiment, const StabilitySeries& quantity);
 std::string_view robust_name(const StabilityExperiment& experiment, const StabilitySeries& quantity);
 
-/// The row in which the naive method does worst, by the direction of the quantity. Nothing where it has no direction or
+/// The row in which the naive method does worst, by the direction of the quantity. nullopt where it has no direction or
 /// no naive method.
 std::optional<ExperimentFigure::Row> worst_row(const ExperimentFigure& figure);
 

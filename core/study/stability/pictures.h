@@ -19,7 +19,7 @@ struct StabilityOpening {
   double failing_percent = 0;  ///< of pixels that differ by more than 8 levels
 };
 
-/// Nothing if the experiment has no picture. Renders both pictures once to find the failing pixel. Throws Cancelled.
+/// nullopt if the experiment has no picture. Renders both pictures once to find the failing pixel. Throws Cancelled.
 std::optional<StabilityOpening> open_stability_point(const StabilityExperiment& experiment, double knob,
                                                      Progress& progress);
 
@@ -29,7 +29,7 @@ struct FilmStripOptions {
 };
 
 /// Pictures over the knob: the naive method in the upper row, the robust one below it, and in the third row white where
-/// they differ by more than 8 levels, over a darkened copy of the naive one. Nothing without a picture. Throws
+/// they differ by more than 8 levels, over a darkened copy of the naive one. nullopt without a picture. Throws
 /// Cancelled.
 std::optional<Image<Rgb8>> film_strip(const StabilityExperiment& experiment, const FilmStripOptions& options,
                                       Progress& progress);

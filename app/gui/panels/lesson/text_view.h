@@ -13,7 +13,7 @@ struct LinkTarget {
   std::string control;  ///< the control of this name
 };
 
-/// Where a span of the text leads: its link, or for a name in bold the control of that name. Nothing for other text.
+/// Where a span of the text leads: its link, or for a name in bold the control of that name. nullopt for other text.
 std::optional<LinkTarget> target_of(const TextSpan& span);
 
 /// Draws a line at the cursor, with its controls, and moves on below it. Answers the link that was clicked. Links have

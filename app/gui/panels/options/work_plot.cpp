@@ -15,7 +15,7 @@ namespace {
 
 constexpr double plot_height = 62;  // at scale 1, without its two lines of text
 
-/// One number of a picture; nothing where there is none.
+/// One number of a picture; nullopt where there is none.
 using Measure = std::optional<double> (*)(const WorkOfStep::Picture&);
 
 std::optional<double> time_of(const WorkOfStep::Picture& picture) { return picture.milliseconds; }

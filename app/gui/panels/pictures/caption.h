@@ -35,7 +35,7 @@ class CaptionChange {
 
   /// The newest finished picture; once per frame. `now` in seconds on the window's clock.
   void take(const std::shared_ptr<const RenderResult>& result, double now);
-  /// The count of the same work before; nothing if its text has not changed, or long ago.
+  /// The count of the same work before; nullopt if its text has not changed, or long ago.
   std::optional<std::uint64_t> before(const CaptionWork& work, double now) const;
   /// Seconds until before() has nothing to say; 0 if it has nothing now.
   double left(double now) const;

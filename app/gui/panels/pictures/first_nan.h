@@ -5,7 +5,7 @@
 
 namespace ps::gui {
 
-/// The first pixel in reading order that has a component which is not a number, or infinite; nothing if all are finite.
+/// The first pixel in reading order that has a component which is not a number, or infinite; nullopt if all are finite.
 std::optional<Vec2i> first_not_finite(const Image<Vec3f>& colour);
 
 /// Picks the first such pixel of the picked picture, or else of the other one, and says what it is, or that there is

@@ -34,7 +34,7 @@ std::string text_that_fits(const LeftOut& one, float room) {
   return fits(brief, std::min<std::size_t>(one.remedies.size(), 1)) ? brief : std::string();
 }
 
-/// One thing that is left out, from `at` on; answers where the next may begin, or nothing where there was no room.
+/// One thing that is left out, from `at` on; answers where the next may begin, or nullopt where there was no room.
 std::optional<float> notice(Session& session, Side side, const LeftOut& one, ImVec2 at, float right, float height) {
   const float room = right - at.x - px(mark_size + item_gap);
   const std::string text = text_that_fits(one, room);

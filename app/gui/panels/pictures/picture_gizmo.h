@@ -6,7 +6,7 @@
 
 namespace ps::gui {
 
-/// The gizmo of the picked object as a side's picture shows it; nothing while it is switched off or none is picked.
+/// The gizmo of the picked object as a side's picture shows it; nullopt while it is switched off or none is picked.
 std::optional<ShownGizmo> gizmo_in_picture(const Session& session, const PicturesState& state, Side side,
                                            const Area& area);
 

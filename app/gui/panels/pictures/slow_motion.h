@@ -26,7 +26,7 @@ bool slow_motion_open(const Session& session);
 /// Opens it with both pictures whole, or shows the finished pictures again.
 void toggle_slow_motion(Session& session, SlowMotionState& state);
 
-/// How far a side has come, as its newest picture says; nothing while none has come, or where the side shows all.
+/// How far a side has come, as its newest picture says; nullopt while none has come, or where the side shows all.
 std::optional<SlowState> slow_state(Session& session, Side side);
 /// The same in words: "triangle 17 of 1,284: triangle 5 of teapot"; empty where there is none.
 std::string slow_words(Session& session, Side side);
