@@ -18,7 +18,7 @@ struct SceneEdit {
 /// The scene with the edits, applied in their order. Throws InputError when one does not fit it.
 Scene edited_scene(Scene scene, const std::vector<SceneEdit>& edits);
 
-/// What is seen of the scene: by `camera`, or by its own, in pixels of `width` and `height`, where 0 means those of its
+/// The view of the scene: by `camera`, or by its own, in pixels of `width` and `height`, where 0 means those of its
 /// canvas.
 View view_of(const Scene& scene, const std::optional<Camera>& camera, int width, int height);
 

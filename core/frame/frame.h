@@ -18,11 +18,11 @@ namespace ps {
 /// Pictures that a renderer can make besides colour. Combined with |.
 enum class Channel : std::uint32_t {
   none = 0,
-  depth = 1u << 0,        ///< camera-space z of the visible point; +infinity where nothing is seen
-  normal = 1u << 1,       ///< shading normal, world space, unit length; (0,0,0) where nothing is seen
+  depth = 1u << 0,        ///< camera-space z of the visible point; +infinity for the background
+  normal = 1u << 1,       ///< shading normal, world space, unit length; (0,0,0) for the background
   barycentric = 1u << 2,  ///< perspective-correct weights of the triangle's vertices; (0,0,0) on spheres and background
   uv = 1u << 3,
-  ids = 1u << 4,           ///< object and triangle; -1 where nothing is seen
+  ids = 1u << 4,           ///< object and triangle; -1 for the background
   facing = 1u << 5,        ///< cosine between the geometric normal and the direction to the eye; negative = back
   overdraw = 1u << 6,      ///< fragments that covered the pixel
   tests = 1u << 7,         ///< primitives (rays) or coverage samples (fragments) tested for the pixel
@@ -103,7 +103,7 @@ enum class DriverMemory {
 
 /// What a picture holds outside the region that was asked for.
 enum class Outside {
-  black,     ///< black, and channels as where nothing is seen
+  black,     ///< black, and channels as for the background
   anything,  ///< whatever is there: it is never read, and clearing it may take longer than a small region
 };
 

@@ -6,7 +6,7 @@
 namespace ps {
 namespace {
 
-/// Calls visit(member, what it holds where nothing is seen) for everything that is stored pixel by pixel.
+/// Calls visit(member, its value for the background) for everything that is stored pixel by pixel.
 template <class Visit>
 void for_each_image(const Vec3d& background, Visit&& visit) {
   visit(&Frame::colour, Vec3f(background));

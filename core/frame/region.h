@@ -22,7 +22,7 @@ inline TileRect asked_region(const RenderRequest& request, int width, int height
 /// Whether the pixels outside that rectangle are to be cleared.
 inline bool clears_outside(const RenderRequest& request) { return request.region && request.outside == Outside::black; }
 
-/// Makes every pixel outside the rectangle black, and its channels as where nothing is seen.
+/// Makes every pixel outside the rectangle black, and its channels as for the background.
 void clear_outside(const TileRect& region, Frame& frame);
 
 }  // namespace ps

@@ -58,7 +58,7 @@ struct SlowFrame {
 };
 
 /// For a picture that stores each pixel once, the state in which only the pixels of `done` are stored: the others have
-/// the background's colour and in each channel what "nothing is seen" means there. Maps, which are made before the
+/// the background's colour and in each channel the background's value. Maps, which are made before the
 /// first pixel, stay as they are. Counters are absent.
 Frame part_of(const Frame& whole, std::span<const TileRect> done, const Vec3d& background);
 /// Stores those pixels of `from` in `to`, which has the same channels.

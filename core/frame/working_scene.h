@@ -10,7 +10,7 @@
 namespace ps {
 
 /// A scene, with what a picture of it needs, as a renderer gets it: in its working space, where `camera-relative` is on
-/// and the renderer computes in float; else as it is. What is made for it is kept in Prepared, and stays while the
+/// and the renderer computes in float; else as it is. What is made for it is cached in Prepared, and stays while the
 /// camera moves. `scene`, `view` and `settings` are references to the ones given, which must stay, or to copies held
 /// here.
 class WorkingScene {

@@ -8,7 +8,7 @@
 
 namespace ps::hardware {
 
-/// The environment maps that the plan asks for, drawn by this renderer; kept in `prepared`. Null where it asks for
+/// The environment maps that the plan asks for, drawn by this renderer; cached in `prepared`. Null where it asks for
 /// none.
 std::shared_ptr<const raster::EnvironmentMaps> draw_environment(const PicturePlan& plan, Prepared& prepared,
                                                                 WorkerPriority priority, Progress& progress);

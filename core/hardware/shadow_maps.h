@@ -9,7 +9,7 @@
 
 namespace ps::hardware {
 
-/// The shadow maps that the plan asks for, drawn by this renderer; kept in `prepared`. Null where it asks for none.
+/// The shadow maps that the plan asks for, drawn by this renderer; cached in `prepared`. Null where it asks for none.
 std::shared_ptr<const raster::ShadowMaps> draw_maps(const PicturePlan& plan, Prepared& prepared,
                                                     WorkerPriority priority, Progress& progress);
 

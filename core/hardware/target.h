@@ -52,7 +52,7 @@ class Target {
   /// The depth buffer as a texture with several samples per pixel. Nothing with one sample, and where the driver has no
   /// such textures of depths.
   std::optional<unsigned> depth_samples() const;
-  /// What is seen, its normal, its weights (0, 1, 2) as textures with several samples per pixel. Only with several
+  /// Visible triangle, its normal and weights (0, 1, 2) as textures with several samples per pixel. Only with several
   /// samples and channels.
   unsigned channel_samples(std::size_t channel) const { return drawn_.textures[channel]; }
   /// Copies what was drawn, and resolved, to the frame's channels.

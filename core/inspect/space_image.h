@@ -12,7 +12,7 @@ class SpaceImage {
 
   /// World position of a canvas position in pixels from the picture's top left corner.
   Vec3d at(const Vec2d& canvas) const { return at_depth(canvas, viewport_.distance); }
-  /// World position of what is seen at a canvas position at depth `z` along the camera's forward axis.
+  /// World position of the visible point at a canvas position at depth `z` along the camera's forward axis.
   Vec3d at_depth(const Vec2d& canvas, double z) const {
     const Vec2d across = viewport_position(canvas);
     const double spread = viewport_.projection == Projection::perspective ? z / viewport_.distance : 1.0;

@@ -20,7 +20,7 @@ enum class SpacePreset {
   top       ///< from above, likewise
 };
 
-/// The height of what is seen at a distance of 1.
+/// The height of the view at a distance of 1.
 inline constexpr double space_view_height = 0.75;
 
 /// The nearest orbit that shows all of `bounds` in a picture of this shape (width / height). `base` as for orbit_view.

@@ -137,7 +137,7 @@ enum class Background { filled, left_to_tiles };
 /// Gives the rectangle the background's colour, and its depth and id where the frame has them.
 void fill_background(const Scene& scene, const TileRect& rect, Frame& frame);
 
-/// A frame of the background's colour with the wanted channels, each holding what "nothing is seen" means in it.
+/// A frame of the background's colour with the wanted channels, each holding its value for the background.
 Frame make_frame(const Scene& scene, const View& view, const Settings& settings, Channel channels,
                  Background background = Background::filled);
 

@@ -106,7 +106,7 @@ ChannelPicture channel_picture(const Frame& frame, ShownChannel channel, const S
 
 /// The values themselves, as Frame describes them; the frame must have been made with the channels that the row needs.
 /// Vectors keep their x, y, z; uv has u, v, 0. Of a heat map the number that it shows, NaN where there is none (depth:
-/// +infinity). `triangle` and `object` are indices, -1 where nothing is seen; `hit` is 0 or 1; `nan` is 0 for finite
+/// +infinity). `triangle` and `object` are indices, -1 for the background; `hit` is 0 or 1; `nan` is 0 for finite
 /// colours, 1 for NaN, 2 for infinite ones; `precision` is the number of the fault, in the order of PrecisionFault.
 ChannelFloats channel_floats(const Frame& frame, ShownChannel channel);
 

@@ -130,7 +130,7 @@ Panel history(Session& session, PanelStates& my) {
 
 // --- right ---
 
-/// The question hides the story, and what is seen around the pixel.
+/// The question hides the story, and the surroundings of the pixel.
 void update_question(Session& session, PanelStates& my) {
   my.pictures.asked.reset();
   my.pictures.hidden = {};

@@ -15,7 +15,7 @@ namespace ps {
 struct SeenPixel {
   Vec2i pixel{0, 0};         ///< array position
   std::string seen;          ///< "red", "triangle 7 of cube 1", "the background"
-  std::vector<int> blocked;  ///< lights that do not reach what is seen
+  std::vector<int> blocked;  ///< lights that do not reach the visible point
 };
 
 /// A pixel that shows something else than a neighbour to its left, right, above or below.

@@ -52,11 +52,11 @@ struct Parting {
   int event_b = -1;
 };
 
-/// Finds the first step at which the two stories differ, in the order in which a picture is made (what is seen, where,
-/// its texture, its light, its reflection), and names the cause from the events and from the options that differ. Both
-/// stories are of the same scene and pixel. What no rule explains is called unexplained. Where a listing runs with a
-/// planted bug no cause is named but that: events and options show what followed from the wrong line, and not which one
-/// it is.
+/// Finds the first step at which the two stories differ, in the order in which a picture is made (the surface, its
+/// place, its texture, its light, its reflection), and names the cause from the events and from the options that
+/// differ. Both stories are of the same scene and pixel. What no rule explains is called unexplained. Where a listing
+/// runs with a planted bug no cause is named but that: events and options show what followed from the wrong line, and
+/// not which one it is.
 Parting find_parting(const Scene& scene, const StorySide& a, const StorySide& b);
 
 }  // namespace ps

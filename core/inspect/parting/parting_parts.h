@@ -52,7 +52,7 @@ std::string because(const Comparison& c, const Option* option);
 /// The first option of these groups of the table that changes pictures and explains a difference, else nullptr. What
 /// two renderers do differently is no cause where there is such an option.
 const Option* differing_option(const Comparison& c, std::initializer_list<std::string_view> groups);
-/// That of the options that decide what is seen: those of the camera, of samples, visibility and drawing. Nullptr
+/// That of the options that decide visibility: those of the camera, of samples, visibility and drawing. Nullptr
 /// beside a listing, which has rules of its own for them.
 const Option* differing_in_what_is_seen(const Comparison& c);
 /// All options that change pictures and explain a difference: "draw is filled in A and points in B, ...".

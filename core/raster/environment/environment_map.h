@@ -10,7 +10,7 @@
 
 namespace ps::raster {
 
-/// What is seen around a point: six pictures that the rasterizer makes itself, in the order of cube_faces() (CGFS
+/// The surroundings of a point: six pictures that the rasterizer makes itself, in the order of cube_faces() (CGFS
 /// ch. 15).
 struct EnvironmentMap {
   Vec3d centre{0, 0, 0};  ///< world space
@@ -33,9 +33,9 @@ bool uses_environment(const Settings& settings, const Scene& scene);
 
 /// With environment = cube-map each mirroring object has a map of its own, made at its centre, of all other objects
 /// (without what those mirror themselves). With room-map all share one: that of the objects without reflections,
-/// rendered from their centre, wherever the reflective objects are. Each is kept in `prepared` until something changes
-/// that can be seen in it: with environment-objects = static a dynamic object that moves changes none but its own, and
-/// a mirror that moves never changes that of the room.
+/// rendered from their centre, wherever the reflective objects are. Each is cached in `prepared` until something
+/// changes that can be seen in it: with environment-objects = static a dynamic object that moves changes none but its
+/// own, and a mirror that moves never changes that of the room.
 std::shared_ptr<const EnvironmentMaps> environment_maps(const Scene& scene, const Settings& settings,
                                                         Prepared& prepared, WorkerPriority priority,
                                                         Progress& progress);

@@ -25,12 +25,12 @@ struct ResolveTask {
   AttributeRows& rows;
   const TileOutput& output;
   Vec3f background{0, 0, 0};
-  std::uint64_t texels = 0;  ///< read for what is seen, and by count_texels
+  std::uint64_t texels = 0;  ///< read for visible fragments, and by count_texels
   bool nan = false;          ///< some visible fragment's colour is NaN
 };
 
 struct ResolveKernels {
-  /// Shades what the tile holds and writes it to the picture, with the background where nothing is seen.
+  /// Shades what the tile holds and writes it to the picture, with the background where no surface is visible.
   void (*resolve)(ResolveTask& task) = nullptr;
   /// Gives every pixel of the rectangle one colour.
   void (*fill)(const TileRect& rect, const TileOutput& output, const Vec3f& colour) = nullptr;

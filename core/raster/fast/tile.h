@@ -22,7 +22,7 @@ struct ReplacedFragment {
   std::uint32_t at = 0;  ///< sample in the tile
 };
 
-/// What is seen in one tile so far: of each sample the nearest fragment's depth and triangle. All else about it is
+/// Visibility in one tile so far: of each sample the nearest fragment's depth and triangle. All else about it is
 /// found out again when all triangles have been drawn, so that little memory is touched for hidden fragments. Rows are
 /// fast_tile samples apart, also in the narrower tiles at the edges of the picture.
 struct TileFragments {

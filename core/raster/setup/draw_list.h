@@ -34,7 +34,7 @@ struct DrawObject {
   }
 };
 
-/// All objects in scene order. Tessellations and bounding spheres are kept in `prepared`.
+/// All objects in scene order. Tessellations and bounding spheres are cached in `prepared`.
 std::vector<DrawObject> make_draw_list(const Scene& scene, const View& view, const Settings& settings,
                                        const Viewport<double>& viewport, Prepared& prepared);
 

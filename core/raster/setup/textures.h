@@ -14,7 +14,7 @@ inline bool reads_mip_levels(TextureFilter filter) {
   return filter == TextureFilter::trilinear || filter == TextureFilter::mipmap;
 }
 
-/// The textures of the scene, in its order, with the levels that the filter reads. Kept in `prepared`.
+/// The textures of the scene, in its order, with the levels that the filter reads. Cached in `prepared`.
 std::shared_ptr<const std::vector<MipChain>> mip_chains(const Scene& scene, TextureFilter filter, Prepared& prepared);
 
 /// What lies beyond the borders of a texture.

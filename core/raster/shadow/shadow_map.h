@@ -42,7 +42,7 @@ bool throws_shadow(const Scene& scene, const Object& object);
 /// Is the option on, and is there light to block?
 bool uses_shadow_maps(const Settings& settings, const Scene& scene);
 
-/// Draws the scene from each light, with the rasterizer itself. Kept in `prepared` for as long as geometry, lights,
+/// Draws the scene from each light, with the rasterizer itself. Cached in `prepared` for as long as geometry, lights,
 /// materials, size and tessellation stay what they are. Transparent objects cast no shadow, as for rays. Throws
 /// InputError where the maps together, which are all read for every pixel, need more memory than there is.
 std::shared_ptr<const ShadowMaps> shadow_maps(const Scene& scene, const Settings& settings, Prepared& prepared,

@@ -195,7 +195,7 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
   }
   const auto status = session.renderer(shown_side).status();
   if (status.state == RenderState::failed) draw_notice(list, area, status.message);
-  // What is seen until the first pixels come is the picture before.
+  // Until the first pixels come, the picture before is shown.
   if (status.waited > long_wait)
     draw_notice(list, split ? Area{area.min, {split->at, area.max.y}} : area,
                 fmt::format("{} is being prepared ...", letter_of(shown_side)));
