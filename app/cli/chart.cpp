@@ -75,7 +75,7 @@ void print_status(const StudyStatus& status) {
   if (status.done == status.total) fmt::print(stderr, "\n");
 }
 
-/// A column of its own where a graphics driver drew some of the points; otherwise nothing.
+/// A column of its own where a graphics driver drew some of the points; otherwise empty.
 std::string upload_column(const Chart& chart, std::string_view text) {
   const bool shown = std::any_of(chart.points.begin(), chart.points.end(),
                                  [](const ChartPoint& point) { return point.upload_ms.has_value(); });

@@ -5,8 +5,8 @@
 
 namespace ps::cli {
 
-/// What a subcommand does once its arguments are read. Gives the exit status: 0 done, 1 the check failed. Bad input is
-/// thrown as InputError.
+/// The work of a subcommand once its arguments are read. Gives the exit status: 0 done, 1 the check failed. Bad input
+/// is thrown as InputError.
 using Action = std::function<int()>;
 
 /// Each adds one subcommand to `app`; when the user picks it, parsing puts its action into `chosen`.

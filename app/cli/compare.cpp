@@ -55,7 +55,7 @@ void print_json(const ComparedFiles& files, const CompareArguments& arguments) {
   fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
-/// What display levels do not show.
+/// Differences that display levels do not show.
 void print_hidden(const ComparedFiles& files) {
   const auto pixels = [](std::int64_t n) { return fmt::format("{} pixel{}", n, n == 1 ? "" : "s"); };
   if (files.values.not_finite > 0) fmt::print("pixels not finite      {}\n", files.values.not_finite);

@@ -4,7 +4,7 @@
 
 namespace ps::cli {
 
-/// What a new lesson begins with: a lesson.md that explains its own form, shows each kind of block and passes the
+/// The files of a new lesson: a lesson.md that explains its own form, shows each kind of block and passes the
 /// check.
 std::string lesson_template();
 /// The scene file beside it, balls.scene.

@@ -86,7 +86,7 @@ int show_lesson(const std::string& name) {
   return 0;
 }
 
-/// What was checked so far.
+/// Numbers of what was checked so far.
 struct Tally {
   std::size_t claims = 0, questions = 0, bugs = 0, failures = 0;
 };
@@ -162,7 +162,7 @@ void check_links(const std::vector<TextBlock>& blocks, StepCounts& counts, Tally
     }
 }
 
-/// What a step says of its pictures, and what it asks about them.
+/// The claims and questions of a step.
 void check_measured(const LessonStep& step, CheckExtent extent, MeasuredPictures& pictures, Tally& tally) {
   switch (extent) {
   case CheckExtent::quick:

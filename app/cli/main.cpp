@@ -34,7 +34,7 @@ int fail(std::string message, int status) {
   return status;
 }
 
-/// Reads the command line. Gives the exit status if there is nothing left to do.
+/// Reads the command line. Gives the exit status if no work is left.
 std::optional<int> parse(CLI::App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);
@@ -49,7 +49,7 @@ std::optional<int> parse(CLI::App& app, int argc, char** argv) {
   }
 }
 
-/// What is left to do: 130 and 2 for work that was stopped or failed.
+/// Does the work: 130 and 2 for work that was stopped or failed.
 int act(const ps::cli::Action& action) {
   try {
     return action();

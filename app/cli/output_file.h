@@ -4,7 +4,7 @@
 
 namespace ps::cli {
 
-/// What a file is to hold: display levels (png, ppm), these or floats (png, ppm, pfm), or anything.
+/// The content of a file: display levels (png, ppm), these or floats (png, ppm, pfm), or anything.
 enum class OutputKind { levels, picture, any };
 
 /// Throws InputError unless the file can be written (see output_target()) and, for pictures, its extension is one that

@@ -20,7 +20,7 @@ RowsJson span_json(const std::optional<ColumnSpan>& span) {
   return span ? RowsJson::array({span->left, span->right}) : RowsJson();
 }
 
-/// What is interpolated at both ends of the row, linear; null for a row that has none.
+/// The colours that are interpolated between the ends of the row, linear; null for a row that has none.
 RowsJson colours_json(const CanvasRow& row) {
   if (!row.outlined) return {};
   RowsJson ends = RowsJson::array();

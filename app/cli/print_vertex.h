@@ -6,7 +6,7 @@
 
 namespace ps::cli {
 
-/// What `inspect --vertex` was asked.
+/// The arguments of `inspect --vertex`.
 struct VertexArguments {
   std::string vertex;  ///< "OBJECT,INDEX" or "nearest" (to the pixel, of the triangle that it shows); empty = none
   std::string order;   ///< "turn-then-move" or "move-then-turn"; empty = the first

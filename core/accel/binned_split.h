@@ -26,7 +26,7 @@ struct FourLanes<double> {
 template <class Real>
 using Lanes4 = typename FourLanes<Real>::Type;
 
-/// A box in four lanes; the last lane means nothing. Empty at first.
+/// A box in four lanes; the last lane is not used. Empty at first.
 template <class Real>
 struct Extent {
   static constexpr Real infinity = std::numeric_limits<Real>::infinity();

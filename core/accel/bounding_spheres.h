@@ -28,7 +28,7 @@ struct BoundingSpheres {
   std::size_t heap_bytes() const { return owned_bytes(nodes, order); }
 };
 
-/// What is known of a primitive: a sphere that holds it, and its object (equal numbers are together).
+/// The bounds of a primitive: a sphere that holds it, and its object (equal numbers are together).
 struct BoundedPrimitive {
   Vec3d centre{0};
   double radius = 0;

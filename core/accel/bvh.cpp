@@ -96,8 +96,8 @@ class BvhBuilder {
   }
 
   /// Splits every range with the help of all threads, moving its references from one array to the other. Returns the
-  /// children that are still large; the rest wait in subtrees_. Nothing depends on the number of threads: unions and
-  /// counts come out the same in any grouping, and the two sides keep their order.
+  /// children that are still large; the rest wait in subtrees_. The tree does not depend on the number of threads:
+  /// unions and counts come out the same in any grouping, and the two sides keep their order.
   std::vector<Range<Real>> split_large(const std::vector<Range<Real>>& ranges, int side) {
     std::vector<Range<Real>> large;
     std::vector<Chunk<Real>> chunks;

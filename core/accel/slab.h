@@ -48,7 +48,7 @@ struct SlabRange {
   bool hit() const { return near <= far; }
 };
 
-/// The slab test as it is usually written: planes are sorted by their t, nothing is grown. NaN (0 * infinity: the ray
+/// The slab test as it is usually written: planes are sorted by their t, none is grown. NaN (0 * infinity: the ray
 /// runs in a plane of the box) becomes the range, and the box is missed; so are boxes that a ray touches at an edge or
 /// a corner.
 template <class Real>

@@ -45,7 +45,7 @@ void order_children(WideNode& node, std::size_t count) {
 
 namespace {
 
-/// What a block of triangles costs that is tested, in tests of a node.
+/// Cost of testing a block of triangles, in tests of a node.
 constexpr float block_cost = 0.6f;
 
 /// How a subtree of the two-wide tree is best opened into a wide one, by the surface-area heuristic: its least cost as
@@ -99,7 +99,7 @@ std::vector<WideCost> wide_costs(const Bvh<float>& bvh) {
   return costs;
 }
 
-/// Nodes of a subtree, which refer to each other and to `blocks` as if nothing came before them.
+/// Nodes of a subtree, which refer to each other and to `blocks` as if they were the first.
 struct WidePart {
   std::vector<WideNode> nodes;
   std::vector<BlockRange> blocks{BlockRange{}};  ///< the first is empty: wide_empty_block

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-/// The processes below another one, as /proc lists them. Nothing else of Pixelscope is used here: pixelscope-launch
+/// The processes below another one, as /proc lists them. No other part of Pixelscope is used here: pixelscope-launch
 /// links this file too.
 namespace ps {
 

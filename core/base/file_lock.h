@@ -23,7 +23,7 @@ class FileLock {
   FileLock& operator=(FileLock&& other) noexcept;
   ~FileLock();
 
-  /// Whether the file system has locks: without, having this object says nothing about others.
+  /// Whether the file system has locks: without, having this object does not exclude others.
   bool guards() const { return guards_; }
 
  private:

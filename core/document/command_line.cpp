@@ -16,7 +16,7 @@ bool safe_in_shell(char c) {
          std::string_view("-_./,:+@=%").find(c) != std::string_view::npos;
 }
 
-/// What `render` and `inspect` share.
+/// The arguments that `render` and `inspect` share.
 std::string scene_arguments(const Document& document, Side side) {
   const View view = view_of(document);
   std::string text = fmt::format(" {} --size {}x{}", shell_quote(document.scene_name), view.width, view.height);

@@ -25,7 +25,7 @@ inline Side other_side(Side side) { return side == Side::a ? Side::b : Side::a; 
 /// How the two pictures are arranged on the screen.
 enum class CompareMode { side_by_side, split, difference, only_a, only_b };
 
-/// What one of the pictures is made with and shows.
+/// Settings and display of one of the pictures.
 struct SideState {
   Settings settings;
   ShownChannel show{};
@@ -40,7 +40,7 @@ struct HeatRange {
   bool operator==(const HeatRange&) const = default;
 };
 
-/// What is looked at and how closely.
+/// The part of the pictures that is shown, and its zoom.
 struct PictureView {
   std::optional<Camera> camera;  ///< instead of the scene's own
   int width = 0, height = 0;     ///< pixels; 0 = the scene's canvas size
@@ -50,7 +50,7 @@ struct PictureView {
   bool operator==(const PictureView&) const = default;
 };
 
-/// What the window is for just now, which decides how it is divided. A lesson has its text beside large pictures; a
+/// The purpose of the window, which decides how it is divided. A lesson has its text beside large pictures; a
 /// study one long tool beside small ones; the presenter shows pictures alone with the text as a caption.
 enum class ScreenMode { lesson, explore, study, presenter };
 

@@ -34,7 +34,7 @@ class History {
 
   bool can_undo() const { return place_ > 0; }
   bool can_redo() const { return place_ + 1 < entries_.size(); }
-  /// Step back or forth; without effect where there is nothing to go to.
+  /// Step back or forth; without effect where there is no such step.
   void undo();
   void redo();
 

@@ -11,7 +11,7 @@ inline constexpr std::string_view chart = "chart", listing = "listing", microsco
                                   pixels = "pixels", space = "space", stability = "stability", timings = "timings",
                                   vertex = "vertex", why = "why";
 
-/// The tools below the pictures. Their order says nothing.
+/// The tools below the pictures. Their order has no meaning.
 inline constexpr std::array all{chart, listing, microscope, needs, pixels, space, stability, timings, vertex, why};
 
 }  // namespace ps::tool_names

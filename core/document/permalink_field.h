@@ -9,7 +9,7 @@
 
 namespace ps::detail {
 
-/// One thing that a permalink can hold. `text` gives nothing while the document has the default; `parse` throws
+/// One thing that a permalink can hold. `text` is empty while the document has the default; `parse` throws
 /// InputError for what `text` would not give.
 struct PermalinkField {
   std::string_view key;

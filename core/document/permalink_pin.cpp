@@ -1,4 +1,4 @@
-// What a permalink holds of a pinned pixel: "pin=312,204&pin.a.reflection-depth=1". Like the rest of it, only what
+// The fields of a permalink for a pinned pixel: "pin=312,204&pin.a.reflection-depth=1". Like the rest of it, only what
 // differs from the defaults.
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// What a permalink holds of the views of a pixel's story.
+// The fields of a permalink for the views of a pixel's story.
 #include <fmt/format.h>
 
 #include <algorithm>

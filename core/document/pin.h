@@ -21,7 +21,7 @@ struct Pin {
   bool operator==(const Pin&) const = default;
 };
 
-/// What a pin looks at.
+/// The place of a pin.
 struct PinnedScene {
   Scene scene;
   View view;

@@ -18,10 +18,10 @@ struct OutsideView {
   bool operator==(const OutsideView&) const = default;
 };
 
-/// What the views of a pixel's story show beside the selected event. Belongs to the picked pixel and its side.
+/// The state of the views of a pixel's story beside the selected event. Belongs to the picked pixel and its side.
 struct StoryView {
   OutsideView outside;
-  bool until_event = false;        ///< the story is gone through: nothing after the selected event is drawn
+  bool until_event = false;        ///< the story is gone through: no event after the selected one is drawn
   int listing_instance = -1;       ///< the run of a loop that was chosen in the listing; -1 = none was
   std::optional<Vec2d> sample;     ///< the microscope's point, in pixels from the pixel's top left corner
   int micro_triangle = -1;         ///< whose numbers the microscope shows; -1 = the one in front
@@ -30,12 +30,12 @@ struct StoryView {
   bool operator==(const StoryView&) const = default;
 };
 
-/// What stays of it when another pixel is picked: all but the run of the loop, the sample, the triangle, and how far
+/// The parts that stay when another pixel is picked: all but the run of the loop, the sample, the triangle, and how far
 /// the story was gone through.
 StoryView for_another_pixel(StoryView before);
 
-/// What stays of it when another document takes the place of the one that it belongs to: in the same scene all of the
-/// view from outside and the kept vertex, else only what is drawn and what not.
+/// The parts that stay when another document takes the place of the one that it belongs to: in the same scene all of
+/// the view from outside and the kept vertex, else only what is drawn and what not.
 StoryView carried_over(const StoryView& before, bool same_scene);
 
 }  // namespace ps

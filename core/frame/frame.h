@@ -81,7 +81,7 @@ struct Frame {
   Image<std::uint32_t> shadow;
   Image<std::uint32_t> samples;
   Image<Vec3f> direction;
-  Image<float> shadow_map;  ///< depth that a texel stores; +infinity = nothing, -1 = no map here
+  Image<float> shadow_map;  ///< depth that a texel stores; +infinity = no surface, -1 = no map here
   Image<std::int32_t> stencil;
   Image<Vec3f> environment;  ///< linear; negative = no map here
   Image<PrecisionFault> precision;
@@ -95,19 +95,19 @@ struct Frame {
   int height() const { return colour.height(); }
 };
 
-/// What a graphics driver has of the scene when it begins with a picture.
+/// The data of the scene that a graphics driver has when it begins with a picture.
 enum class DriverMemory {
   kept,     ///< meshes and textures of earlier pictures
   emptied,  ///< none of them: the picture uploads all that it needs
 };
 
-/// What a picture holds outside the region that was asked for.
+/// The content of a picture outside the region that was asked for.
 enum class Outside {
   black,     ///< black, and channels as for the background
   anything,  ///< whatever is there: it is never read, and clearing it may take longer than a small region
 };
 
-/// What a caller wants besides the picture itself.
+/// The results that a caller wants besides the picture itself.
 struct RenderRequest {
   Channel channels = Channel::none;
   WorkerPriority priority = WorkerPriority::normal;

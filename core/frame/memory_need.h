@@ -6,8 +6,8 @@
 
 namespace ps {
 
-/// What a part of a picture is going to take. Every part whose size a scene or an option multiplies says so before it
-/// is made.
+/// Memory that a part of a picture is going to take. Every part whose size a scene or an option multiplies says so
+/// before it is made.
 struct MemoryNeed {
   std::uint64_t bytes = 0;
   std::string what;  ///< plural, for the message: "the environment maps of 200 mirrors"

@@ -13,7 +13,7 @@ class PixelOrder {
   PixelOrder(int width, int height, int tile_size, const TileRect& region);
 
   std::uint64_t count(SlowUnit unit) const;
-  /// What is stored after the first `at` tiles, rows or pixels; sets what the last one was. Any other unit: nothing.
+  /// The pixels stored after the first `at` tiles, rows or pixels; sets what the last one was. Any other unit: none.
   std::vector<TileRect> done(const SlowMotion& motion, SlowState& state) const;
 
  private:

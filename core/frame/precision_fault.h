@@ -7,11 +7,11 @@
 
 namespace ps {
 
-/// What a pixel gets wrong because of its arithmetic, against the same pixel in double.
+/// The fault of a pixel because of its arithmetic, against the same pixel in double.
 enum class PrecisionFault : std::uint8_t {
   none,
-  false_hit,     ///< shows something where double shows nothing
-  missed_hit,    ///< shows nothing where double shows something
+  false_hit,     ///< shows an object where double shows the background
+  missed_hit,    ///< shows the background where double shows an object
   wrong_winner,  ///< another object or triangle
   shading        ///< the same surface in another colour, by more than one level
 };

@@ -11,7 +11,7 @@
 
 namespace ps {
 
-/// What slow motion counts: a picture can be shown as it is after n of them. The order is that of the clear path
+/// The units of slow motion: a picture can be shown as it is after n of them. The order is that of the clear path
 /// on one thread.
 enum class SlowUnit { triangles, fragments, pixels, rows, tiles, samples, writes };
 

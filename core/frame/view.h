@@ -3,7 +3,7 @@
 
 namespace ps {
 
-/// What is looked at: a camera and the size of the picture in pixels.
+/// The view: a camera and the size of the picture in pixels.
 struct View {
   Camera camera;
   int width = 600;

@@ -10,7 +10,7 @@ std::vector<Option> camera_rows() {
                                      .keywords = "far plane, clip plane, frustum, t max, z far, draw distance",
                                      .truth = as_set()},
                                     1e-3, no_far_limit, OptionScale::logarithmic, "d");
-  far.sweep_values = "10,100,1000,10000";  // evenly spread over the range, most values would cut nothing
+  far.sweep_values = "10,100,1000,10000";  // evenly spread over the range, most values would not clip
   return {
       choice<&Settings::sample_position>(
           {.key = "sample-position",

@@ -32,13 +32,13 @@ constexpr ActsFor operator|(ActsFor a, ActsFor b) {
 }
 bool acts_for(ActsFor set, PictureWay way);
 
-/// What the option table and everything above it know of a renderer. The rest is in its row (record/renderer_row.h).
+/// The facts about a renderer for the option table and all above it. The rest is in its row (record/renderer_row.h).
 struct RendererKind {
   std::string_view key;    ///< for files and the command line: "ray-tracer"
   std::string_view label;  ///< for people: "ray tracer"
   std::string_view help;   ///< one sentence
   PictureWay way = PictureWay::rays;
-  /// Whether it uses an option, whatever the option's row says of its way; nothing: as the row says. May be nullptr.
+  /// Whether it uses an option, whatever the option's row says of its way; nullopt: as the row says. May be nullptr.
   std::optional<bool> (*reads)(const Option&, const Settings&, const SceneTraits&) = nullptr;
   std::string_view unread{};  ///< said of options that it does not use: "the listing does not use it"
   /// Why it does not use an option that its way of making pictures knows, or nothing. May be nullptr: it uses all.

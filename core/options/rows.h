@@ -37,7 +37,7 @@ constexpr Truth pixel_average(std::string_view settings = {}) { return {TruthKin
 /// The truth of options that only rays show exactly. One sample of theirs is no better than one of another renderer.
 Truth averaged_by_rays();
 
-/// What all kinds of rows share; see the members of Option.
+/// The members that all kinds of rows share; see the members of Option.
 struct Names {
   std::string_view key, label;
   OptionHelp help;

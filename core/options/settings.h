@@ -55,7 +55,7 @@ enum class Simd { automatic, off, sse4, avx2, avx512 };
 enum class Illumination { book, radiometric };
 enum class TransparencyShare { fixed, fresnel };
 
-/// From this on Settings::far limits nothing.
+/// From this on Settings::far is no limit.
 inline constexpr double no_far_limit = 1e30;
 /// In place of a light's index: no light is dark.
 inline constexpr int all_lights = -1;

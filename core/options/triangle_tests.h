@@ -13,7 +13,7 @@ enum class TriangleTest { watertight, moeller_trumbore, barycentric, cross_produ
 /// The tests of which there are SIMD kernels (raytrace/fast/wide_triangles-inl.h, raytrace/fast/wide_packet.cpp).
 enum class SimdTriangleTest { watertight, moeller_trumbore };
 
-/// What people read of it, see Choice (options/option.h), and what the renderers ask.
+/// Its texts for people, see Choice (options/option.h), and the facts that renderers ask for.
 struct TriangleTestRow {
   TriangleTest test;
   std::string_view key, label, help;

@@ -34,7 +34,7 @@ std::vector<EventField> event_fields(const EventData& data);
 /// The name of a field for people: "shading normal".
 std::string field_label(const EventField& field);
 
-/// What the event is about: events with equal texts can be partners when two stories are side by side. Never for
+/// The subject of the event: events with equal texts can be partners when two stories are side by side. Never for
 /// people.
 std::string event_subject(const EventData& data);
 

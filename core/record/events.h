@@ -104,7 +104,7 @@ struct MissEvent {
   Vec3d background{0, 0, 0};
 };
 
-/// What a texture was read for.
+/// The purpose for which a texture was read.
 enum class TextureUse { surface, highlight, ambient, opacity, reflection };
 
 struct TextureEvent {

@@ -14,9 +14,9 @@ namespace ps {
 ///   begin(make)      collects make() and makes it the parent of what follows, until end()
 ///   end(), end(make) the latter puts make() in the place of what begin() collected
 ///   collects()       whether events are kept at the moment
-/// `make` is a callable, evaluated only where its result is kept, so that building an event costs nothing elsewhere.
+/// `make` is a callable, evaluated only where its result is kept, so that building an event has no cost elsewhere.
 
-/// Collects nothing and compiles to nothing.
+/// Collects no event and compiles to no code.
 struct Silent {
   static constexpr bool counts = false;
   static constexpr bool records = false;

@@ -35,7 +35,7 @@ struct RendererRow {
   /// A graphics driver transforms its vertices and decides which samples a triangle covers, and reports neither
   /// positions nor edges: those that the rasterizer computes are not its.
   bool by_driver = false;
-  /// What it cannot show of such a scene, with the reason and what shows it.
+  /// The parts of such a scene that it cannot show, with the reason and what shows them.
   std::vector<LeftOut> (*left_out)(const SceneTraits& traits, const Settings& settings) = nullptr;
   /// Does it show any object of such a scene?
   bool (*shows_objects)(const SceneTraits& traits, const Settings& settings) = nullptr;

@@ -34,7 +34,7 @@ struct ShaderDraw {
 
 /// The shaders that drew a pixel.
 struct ShaderListing {
-  std::vector<ShaderDraw> draws;               ///< in drawing order; empty: nothing was drawn there
+  std::vector<ShaderDraw> draws;               ///< in drawing order; empty: none was drawn there
   std::vector<std::filesystem::path> watched;  ///< the files on disk that reload_shaders() reads
 };
 

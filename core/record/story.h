@@ -33,7 +33,7 @@ struct PixelStory {
   Counters counters;
   /// Triangles whose box, grown by a pixel, misses the pixel (or whose object was dropped whole): counted, not listed.
   std::uint64_t triangles_elsewhere = 0;
-  /// What the renderer cannot report of the pixel, in one sentence; empty where it reports every step.
+  /// The steps that the renderer cannot report, in one sentence; empty where it reports every step.
   std::string not_reported;
   /// For the textbook renderer: the values that its listing had for this pixel (textbook/trace_listing.h).
   std::shared_ptr<const ListingTrace> listing;

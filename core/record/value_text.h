@@ -13,7 +13,7 @@ std::string number_text(double value);
 std::vector<std::string> number_row(std::span<const double> values);
 /// The shortest text that reads back as the same double.
 std::string exact_number_text(double value);
-/// What is compared with what: "2 against 1.5", with enough digits to show a difference; "7.25 against the same".
+/// Both sides of a comparison: "2 against 1.5", with enough digits to show a difference; "7.25 against the same".
 std::string against_text(double value, double other);
 /// "(0.5, 1, 2.25)"
 std::string vector_text(const Vec2d& value);

@@ -9,7 +9,7 @@
 
 #include "math/vec.h"
 
-/// What a listing had on its lines for one pixel. A listing says
+/// Values on the lines of a listing for one pixel. A listing says
 ///   PS_WATCH(name, value)      this value, on this line
 ///   PS_EACH(name, value)       what follows in this block is one instance of a loop (or call): sphere "red", light 2
 ///   PS_REACHING(name, value)   the same, forgotten at its end unless the pixel was reached inside

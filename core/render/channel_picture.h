@@ -11,7 +11,7 @@
 
 namespace ps {
 
-/// What a view shows of a frame.
+/// The value of a frame that a view shows.
 enum class ShownChannel {
   colour,
   depth,
@@ -36,7 +36,7 @@ enum class ShownChannel {
   depth_gap
 };
 
-/// What the colours of a channel picture mean.
+/// The meaning of the colours of a channel picture.
 struct ChannelLegend {
   std::string title;
   std::string unit;   ///< of low and high; may be empty

@@ -6,13 +6,13 @@
 
 namespace ps {
 
-/// What the chosen renderer cannot show of a scene with these traits; empty if it shows everything.
+/// The parts of a scene with these traits that the chosen renderer cannot show; empty if it shows everything.
 std::vector<LeftOut> left_out(const SceneTraits& traits, const Settings& settings);
 
-/// Whether it shows no object at all of a scene that has some: its picture is nothing but background.
+/// Whether it shows no object at all of a scene that has some: its picture is only background.
 bool leaves_out_all(const SceneTraits& traits, const Settings& settings);
 
-/// The same for the end of a verdict: "; the rasterizer leaves out CSG"; empty if nothing is left out.
+/// The same for the end of a verdict: "; the rasterizer leaves out CSG"; empty if none is left out.
 std::string left_out_words(const SceneTraits& traits, const Settings& settings);
 
 }  // namespace ps

@@ -12,7 +12,7 @@
 
 namespace ps {
 
-/// What a file that the program writes says about how it was made. Every export has it, in the way of its format: text
+/// The origin that each file states which the program writes. Every export has it, in the way of its format: text
 /// chunks (PNG), comments (PPM), <metadata> (SVG), an object (JSON), a section (Markdown), rows or further columns
 /// (CSV, whose first line stays the heading). A PFM file has no place for it.
 struct Provenance {

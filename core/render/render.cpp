@@ -14,7 +14,7 @@
 namespace ps {
 namespace {
 
-/// What the renderer cannot give, or not of this picture, is absent and not 0.
+/// Makes counters absent, and not 0, that the renderer cannot give, or not of this picture.
 void take_counts(const RendererRow& row, Counters& counters) {
   CounterSet given;
   for (std::size_t i = 0; i < counter_count; ++i) {

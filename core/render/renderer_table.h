@@ -13,7 +13,7 @@ std::span<const RendererRow> renderer_table();
 /// The row of one of them.
 const RendererRow& renderer_row(Renderer renderer);
 
-/// The renderer whose pictures a graphics driver makes, or nothing: not every program has one.
+/// The renderer whose pictures a graphics driver makes, or nullopt: not every program has one.
 std::optional<Renderer> driver_renderer();
 
 /// A renderer that core does not know: what the option table shows of it, and its row, whose number is filled in.

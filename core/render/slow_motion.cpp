@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view driver_draws =
     "the graphics driver draws in an order of its own and gives only finished pictures";
 
-/// What the last one was, after a colon; empty where nothing more is known of it.
+/// The name of the last one, after a colon; empty where it has none.
 std::string last_words(const SlowState& state, const Scene& scene, Vec2i size) {
   std::string words;
   const auto add = [&](const std::string& more) { words += (words.empty() ? ": " : ", ") + more; };

@@ -11,7 +11,7 @@ namespace ps {
 /// Why the renderer that the settings name cannot show the picture after n of these units; nullopt if it can.
 std::optional<std::string_view> slow_motion_lacks(SlowUnit unit, const Settings& settings, const SceneTraits& traits);
 
-/// The first unit that it does not lack, or nothing: it shows whole pictures alone.
+/// The first unit that it does not lack, or nullopt: it shows whole pictures alone.
 std::optional<SlowUnit> first_slow_unit(const Settings& settings, const SceneTraits& traits);
 
 /// What is shown of what was asked for: nothing, which is the whole picture, for a unit that the renderer lacks and for

@@ -75,7 +75,7 @@ bool EarClipper::clip_one(Pass pass) {
       triangles_.push_back({next_[tip], tip, previous_[tip]});
     else
       triangles_.push_back({previous_[tip], tip, next_[tip]});
-    // What this changes lies around the gap; ears go on behind it, so that triangles do not all share one vertex.
+    // The change is around the gap; ears go on behind it, so that triangles do not all share one vertex.
     tip_ = pass == Pass::ears ? next_[tip] : previous_[tip];
     remove(tip);
     return true;

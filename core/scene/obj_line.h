@@ -27,7 +27,7 @@ class ObjLine {
   std::string_view next();
   /// Whether no word is left.
   bool at_end() const { return ObjLine(*this).next().empty(); }
-  /// What follows may be names: from here on a `#` is one of their letters ("#1 red", "wood #2"), unless it stands
+  /// Names may follow: from here on a `#` is one of their letters ("#1 red", "wood #2"), unless it stands
   /// alone between blanks, where it begins a comment.
   void begin_names();
   /// The rest of the line without blanks around it.

@@ -69,8 +69,8 @@ HWY_INLINE hn::Mask<D> adds_light(const LitLanes<D>& points, const Vec3Lanes<D>&
   return hn::Or(hn::Gt(n_dot_l, zero), hn::And(points.specular, hn::Gt(dot(angle.a, angle.b), zero)));
 }
 
-/// What a point or directional light without attenuation adds in the lanes of `lit`: diffuse, then its highlight, by
-/// the equation of the book.
+/// The light that a point or directional light without attenuation adds in the lanes of `lit`: diffuse, then its
+/// highlight, by the equation of the book.
 template <class D>
 HWY_INLINE void add_casting_light(const ShadingLight<float>& light, const LitLanes<D>& points, hn::Mask<D> lit,
                                   Vec3Lanes<D>& sum) {

@@ -23,7 +23,7 @@ struct LitPoint {
   Vec3<Real> to_eye{0, 0, 1};  ///< towards the viewer, any length
 };
 
-/// What the lights do at a point: its colour is surface colour * light + extra, channel by channel.
+/// The light at a point: its colour is surface colour * light + extra, channel by channel.
 template <class Real>
 struct Lighting {
   Vec3<Real> light{0, 0, 0};
@@ -50,7 +50,7 @@ inline Real spread(Real intensity, Real divisor) {
   return std::min(intensity / std::max(divisor, std::numeric_limits<Real>::min()), brightest_arrival<Real>);
 }
 
-/// What arrives of a casting light's intensity at a point, before the angle counts. Book: the intensity, of point
+/// The intensity of a casting light that arrives at a point, before the angle counts. Book: the intensity, of point
 /// lights divided by c + l r + q r^2 (OCT). Radiometric: a point light's intensity is its power, which spreads over a
 /// sphere (CGPP 15.4.5); a directional light's is the irradiance on a surface that faces it.
 template <class Real>
@@ -73,7 +73,7 @@ inline Real arriving(const ShadingLight<Real>& light, const Vec3<Real>& to_light
   return light.intensity;
 }
 
-/// What multiplies a term of the illumination equation besides its angle. Radiometric: 1 / pi of Lambert's law, and
+/// The factor of a term of the illumination equation besides its angle. Radiometric: 1 / pi of Lambert's law, and
 /// for a highlight the normalised Blinn-Phong density (s + 8) / 8 pi times N.L (CGPP 15.4.6 and 7).
 template <class Real>
 inline Real diffuse_factor(const IlluminationOptions& options) {
@@ -122,7 +122,7 @@ inline HighlightAngle<Real> highlight_angle(const LitPoint<Real>& point, const V
   return angle;
 }
 
-/// Whether a casting light that nothing blocks adds anything to the point: only then it matters what is between.
+/// Whether a casting light that is not blocked adds anything to the point: only then it matters what is between.
 template <class Real>
 inline bool adds_light(const LitPoint<Real>& point, const ShadingMaterial<Real>& material, const Vec3<Real>& to_light,
                        const IlluminationOptions& options) {
@@ -131,7 +131,7 @@ inline bool adds_light(const LitPoint<Real>& point, const ShadingMaterial<Real>&
   return highlight_angle(point, to_light, options.highlight).dot_product > 0;
 }
 
-/// What is between a point and a light. A blocked light gives nothing; where a shadow map's taps disagree, a share.
+/// What is between a point and a light. A blocked light gives 0; where a shadow map's taps disagree, a share.
 template <class Real>
 struct Blocking {
   std::optional<PixelId> by;

@@ -75,7 +75,7 @@ inline std::optional<TangentSpace<Real>> tangent_space(const Vec3<Real>& normal,
   return space;
 }
 
-/// A stored normal in the world, of length 1; the surface's own where the map holds nothing usable.
+/// A stored normal in the world, of length 1; the surface's own where the map holds no usable one.
 template <class Real>
 inline Vec3<Real> mapped_normal(const TangentSpace<Real>& space, const Vec3<Real>& stored) {
   const Vec3<Real> turned = space.tangent * stored.x + space.bitangent * stored.y + space.normal * stored.z;

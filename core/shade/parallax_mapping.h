@@ -80,7 +80,7 @@ inline ReliefPoint<Real> meet_relief(Parallax method, int steps, Relief&& relief
   return point;
 }
 
-/// What a relief does to texture coordinates. `depth_at(uv)` reads the map; where the recorder keeps events, what it
+/// The texture coordinates behind a relief. `depth_at(uv)` reads the map; where the recorder keeps events, what it
 /// gave is noted. Reports a ParallaxEvent.
 template <class Real, class Recorder, class DepthAt>
 inline Vec2<Real> parallax_uv(int texture, const Vec2<Real>& uv, const Vec2<Real>& shift, const Settings& settings,

@@ -42,8 +42,8 @@ inline Vec2<Real> reflection_uv(Surroundings surroundings, const Vec3<Real>& dir
   return {};
 }
 
-/// What the picture shows in the direction, the same for both renderers: bilinear at its finest level, or the nearest
-/// texel where the option asks for that. Reports a TextureEvent.
+/// The colour of the picture in the direction, the same for both renderers: bilinear at its finest level, or the
+/// nearest texel where the option asks for that. Reports a TextureEvent.
 template <class Real, class Recorder>
 Vec3<Real> read_reflection_map(const Image<Vec3f>& image, int texture, Surroundings surroundings,
                                const Vec3<Real>& direction, TextureFilter filter, Recorder& recorder) {

@@ -38,7 +38,7 @@ std::vector<std::string> compiler_command(const std::filesystem::path& compiler)
           program_name};
 }
 
-/// What a compiler outside the system's folders needs to see: the folder that holds its bin/.
+/// The folder that a compiler outside the system's folders needs to see: the one that holds its bin/.
 std::vector<std::filesystem::path> folders_of_compiler(const std::filesystem::path& compiler) {
   const std::filesystem::path place = std::filesystem::weakly_canonical(compiler).parent_path().parent_path();
   if (place.empty() || place == "/" || place.string().starts_with("/usr")) return {};
@@ -97,7 +97,7 @@ Compilation compile_listing(const PermittedListing& listing, const CompileOption
       .folder = folder,
       .input = {},
       .limits = options.limits};
-  // What a source includes (.incbin, #include) is read with the compiler's rights, so it gets no more than the program.
+  // A source's included files (.incbin, #include) are read with the compiler's rights, so it gets those of the program.
   Launched launched = launch_isolated(what, folders_of_compiler(compiler), options.isolation, progress);
   launched.text = foreign_text(launched.text);
   done.seconds = launched.seconds;

@@ -12,7 +12,7 @@ namespace ps {
 
 enum class MessageKind { error, warning, note };
 
-/// What the compiler says of a line.
+/// The compiler's message about a line.
 struct CompilerMessage {
   MessageKind kind = MessageKind::error;
   int line = 0, column = 0;  ///< of the student's file, from 1; 0 = elsewhere

@@ -50,7 +50,7 @@ bool read_message(std::string_view line, CompilerMessage& message) {
   return false;
 }
 
-/// What the linker says when something is not defined.
+/// The linker's message for a name that is not defined.
 bool read_linker_message(std::string_view line, CompilerMessage& message) {
   const std::size_t at = line.find("undefined reference to ");
   if (at == std::string_view::npos) return false;

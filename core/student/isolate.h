@@ -7,7 +7,7 @@
 
 namespace ps {
 
-/// What shuts a program off besides its limits.
+/// The confinement of a program besides its limits.
 enum class Isolation {
   bubblewrap_if_installed,  ///< sees no network and no files but its own and the system's programs and libraries
   limits_only

@@ -37,7 +37,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
 std::string milliseconds_text(double seconds) { return std::to_string(std::llround(seconds * 1000)); }
 
 /// The launcher's process. Ends all that it started, and waits for that, when it goes. A program without isolation can
-/// stop the launcher as it can stop any process of this user, so nothing here waits for it without a limit.
+/// stop the launcher as it can stop any process of this user, so each wait for it here has a limit.
 class LauncherProcess {
  public:
   explicit LauncherProcess(const Launch& what) {
@@ -117,7 +117,7 @@ bool read_some(Descriptor& from, std::string& to) {
   return false;
 }
 
-/// What the launcher wrote in the end: "exited 3".
+/// The launcher's last line: "exited 3".
 void read_verdict(const std::string& line, const Launch& what, Launched& launched) {
   const std::size_t blank = line.find(' ');
   const std::string word = line.substr(0, blank);

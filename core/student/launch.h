@@ -8,7 +8,7 @@
 
 namespace ps {
 
-/// What a program that is started, and all that it starts, may use. A program that exceeds one of them is ended, with
+/// Limits of a program that is started, and of all that it starts. A program that exceeds one of them is ended, with
 /// everything that began below it. These limits stop mistakes. Without isolation, a program that means harm can leave
 /// shared memory and files outside its folder behind, or end its launcher and go on without limits.
 struct LaunchLimits {
@@ -28,7 +28,7 @@ struct Launch {
   std::vector<std::string> command;      ///< the path of the program, then its arguments
   std::vector<std::string> environment;  ///< all of it: "NAME=VALUE"
   std::filesystem::path folder;          ///< where it runs; nobody else writes there
-  std::filesystem::path input;           ///< the file that it finds as its standard input; empty: nothing to read
+  std::filesystem::path input;           ///< the file that it finds as its standard input; empty: no input
   LaunchLimits limits;
   LaunchRights rights = LaunchRights::own;
 };

@@ -48,7 +48,7 @@ std::string_view own_rights_sentence();
 std::filesystem::path own_listings_folder();
 
 /// The text of a copy of a listing, which includes textbook/listing.h alone of our headers. With a `routine`, its body
-/// is left to be written: a comment, and a return of nothing in particular, so that it compiles. Throws InputError if
+/// is left to be written: a comment, and a return of any value, so that it compiles. Throws InputError if
 /// there is no such routine.
 std::string listing_copy(const NamedListing& listing, std::string_view routine = {});
 

@@ -12,7 +12,7 @@
 #include "record/watch.h"
 #include "student/scene_bytes.h"
 
-/// What the program of a student's own listing writes on descriptor 3. It may write anything, by mistake or on purpose.
+/// Output of the program of a student's own listing on descriptor 3. It may write anything, by mistake or on purpose.
 
 namespace ps {
 
@@ -34,7 +34,7 @@ struct OwnResult {
   std::optional<OwnTrace> trace;
 };
 
-/// What the program writes: `names` is not used.
+/// The result as bytes: `names` is not used.
 std::string result_bytes(const OwnResult& result);
 
 /// The most bytes that a result of this size can have.

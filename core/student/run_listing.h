@@ -9,7 +9,7 @@ struct RunOptions {
   Isolation isolation = Isolation::bubblewrap_if_installed;
 };
 
-/// What a student's own listing made of a scene.
+/// The result of a student's own listing for a scene.
 struct OwnRun {
   OwnResult result;
   std::string failure;    ///< why there is none, in a sentence or two; empty if there is one

@@ -6,7 +6,7 @@
 
 namespace ps {
 
-/// What the program of a student's own listing is asked for.
+/// The picture that the program of a student's own listing is asked for.
 struct ListingTask {
   bool picture = true;          ///< the whole picture
   std::optional<Vec2i> traced;  ///< the values for this pixel (array position)

@@ -42,7 +42,7 @@ class BookCanvas {
   /// Every pixel that is put on the canvas from now on is noted in `writes`, which must outlive the canvas.
   void note_writes(std::vector<CanvasWrite>& writes) { writes_ = &writes; }
 
-  /// What is there so far; black outside of what it holds.
+  /// The colour so far; black outside of its part.
   Vec3d get_pixel(double x, double y) const {
     const Vec2i place = place_of(x, y);
     return colours_.contains(place.x, place.y) ? colours_.at(place.x, place.y) : Vec3d(0);

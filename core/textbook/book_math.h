@@ -65,8 +65,8 @@ std::vector<Value> interpolate(double i0, const Value& d0, double i1, const Valu
   return values;
 }
 
-/// What a canvas pixel becomes where `colour` meets what is `below`, both from 0 to 255: paint covers, light adds, and
-/// a filter transmits a share of what is below (CGFS ch. 1).
+/// The new value of a canvas pixel where `colour` meets what is `below`, both from 0 to 255: paint covers, light adds,
+/// and a filter transmits a share of what is below (CGFS ch. 1).
 inline Vec3d blended(Blend blend, const Vec3d& below, const Vec3d& colour) {
   switch (blend) {
   case Blend::replace:

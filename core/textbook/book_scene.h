@@ -39,7 +39,7 @@ struct BookInstance {
   }
 };
 
-/// What a triangle's surface is made of.
+/// The material of a triangle's surface.
 struct BookSurface {
   Vec3d colour{0, 0, 0};  ///< 0 to 255
   double specular = -1;

@@ -11,7 +11,7 @@ namespace ps {
 /// The lines of a text, without their ends.
 std::vector<std::string> listing_lines(const std::string& source);
 
-/// What such a file says.
+/// The content of such a file.
 struct BugPatch {
   std::string symptom;       ///< one sentence
   std::string right, wrong;  ///< the line without and with the bug

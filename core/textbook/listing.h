@@ -1,5 +1,5 @@
 #pragma once
-// What a student's own listing includes: the words of the book's chapters (its scene, canvas and mathematics), and the
+// The header of a student's own listing: the words of the book's chapters (its scene, canvas and mathematics), and the
 // macros that show values beside the lines. Everything else that it uses comes from the standard library.
 #include "record/watch.h"          // IWYU pragma: export
 #include "textbook/book_canvas.h"  // IWYU pragma: export

@@ -6,7 +6,7 @@ namespace ps {
 /// The renderer that runs the listings of the lessons, line by line.
 RendererRow textbook_row();
 
-/// What the row holds, for those who want this renderer alone.
+/// The functions of the row, for callers of this renderer alone.
 Frame render_textbook(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
                       Prepared& prepared, Progress& progress);
 PixelStory inspect_textbook(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel,

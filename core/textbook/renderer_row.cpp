@@ -19,7 +19,7 @@ bool listing_shows_objects(const SceneTraits& traits, const Settings& settings) 
          (traits.canvas_items && draws.canvas_lines) || (traits.canvas_triangles && draws.canvas_triangles);
 }
 
-/// What each kind of thing is called, whether the scene has it and the listing shows it, and what to set to see it.
+/// The name of each kind of object, whether the scene has it and the listing shows it, and what to set to see it.
 struct ListingGap {
   LeftOutKind kind;
   bool missing;

@@ -10,7 +10,7 @@
 
 namespace ps {
 
-/// What a listing did for one pixel.
+/// The steps of a listing for one pixel.
 struct ListingTrace {
   NamedListing listing;
   Vec2i pixel{0, 0};      ///< array position
@@ -20,7 +20,7 @@ struct ListingTrace {
   std::size_t dropped = 0;  ///< watches beyond the limit
 };
 
-/// Which triangles a traced listing is given. Those far from the pixel leave nothing in its trace, so both give the
+/// Which triangles a traced listing is given. Those far from the pixel leave no mark in its trace, so both give the
 /// same one; among a million the listing takes a hundred times as long as finding those near it. A listing with a
 /// planted bug, or one that follows rays or casts shadows, is given all of them.
 enum class TracedTriangles { near_pixel, all };

@@ -1,7 +1,7 @@
 #pragma once
 #include "record/fields/row.h"
 
-/// What the events of the rasterizer show: triangles that are rejected or cover the pixel, and what writes it.
+/// Fields of the events of the rasterizer: triangles that are rejected or cover the pixel, and what writes it.
 
 namespace ps::fields {
 

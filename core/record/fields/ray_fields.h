@@ -1,7 +1,7 @@
 #pragma once
 #include "record/fields/row.h"
 
-/// What the events of rays show: rays, nodes, tests, hits, and which rays are sent for a pixel.
+/// Fields of the events of rays: rays, nodes, tests, hits, and which rays are sent for a pixel.
 
 namespace ps::fields {
 

@@ -28,7 +28,7 @@ consteval MemberTag member_tag() {
 template <class E>
 struct Row {
   std::string_view key;
-  std::optional<FieldValue> (*read)(const E&) = nullptr;  ///< nothing where this event does not have the field
+  std::optional<FieldValue> (*read)(const E&) = nullptr;  ///< nullopt where this event does not have the field
   std::array<MemberTag, 3> members{};                     ///< of E that it shows
   bool (*present)(const E&) = nullptr;                    ///< nullptr: always
   FieldRole role = FieldRole::value;
@@ -80,7 +80,7 @@ constexpr auto field(std::string_view key, bool (*present)(const decltype(event_
   return Row<E>{key, [](const E& event) { return shown(event.*Member); }, {member_tag<Member>()}, present};
 }
 
-/// What `read`, a lambda without captures, makes of some members.
+/// The result of `read`, a lambda without captures, for some members.
 template <auto... Members>
 constexpr auto computed(std::string_view key, auto read, auto present) {
   using E = std::common_type_t<decltype(event_of(Members))...>;

@@ -1,7 +1,7 @@
 #pragma once
 #include "record/fields/row.h"
 
-/// What the events at a surface point show: textures, light, what is reflected and transmitted, and the pixel's colour.
+/// Fields of the events at a surface point: textures, light, what is reflected and transmitted, and the pixel's colour.
 
 namespace ps::fields {
 

@@ -67,8 +67,8 @@ void add_boundary(const PixelStory& story, const Scene& scene, int ray, int inde
   }
 }
 
-/// What ray `ray` returns, as it reaches the pixel: local colour * (1 - r) + reflected colour * r (CGFS ch. 4), the
-/// second term unfolded ray by ray.
+/// The colour returned by ray `ray`, as it reaches the pixel: local colour * (1 - r) + reflected colour * r (CGFS
+/// ch. 4), the second term unfolded ray by ray.
 void add_ray(const PixelStory& story, const Scene& scene, int ray, double share, int level, Lines& lines) {
   const auto& events = story.events;
   const auto hits = events_of_ray<HitEvent>(events, ray);

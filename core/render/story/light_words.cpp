@@ -37,7 +37,7 @@ std::string light_effect_text(const Scene& scene, const LightEvent& light, Light
   }
   if (light.blocker) return "blocked by " + primitive_name(scene, *light.blocker);
   if (light.visible <= 0) return "in shadow";
-  // What faces a light that nothing hides is lit, unless the light is switched off.
+  // A surface that faces an unblocked light is lit, unless the light is switched off.
   if (light.diffuse == 0 && light.specular == 0) return "emits no light";
   const std::string share = whole && light.visible < 1
                                 ? fmt::format("{} % reaches the point, ", number_text(100 * light.visible))

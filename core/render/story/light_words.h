@@ -17,8 +17,8 @@ enum class LightWords {
   whole   ///< for a sentence by itself: "adds nothing: the surface faces away from it"
 };
 
-/// What a light does at a point of a surface, without its name: "0.2 everywhere", "diffuse 0.47, specular 0.32",
-/// "blocked by sphere 3", "in shadow", "emits no light". Terms that add nothing are described without their number.
+/// The effect of a light at a point of a surface, without its name: "0.2 everywhere", "diffuse 0.47, specular 0.32",
+/// "blocked by sphere 3", "in shadow", "emits no light". Terms of 0 are described without their number.
 std::string light_effect_text(const Scene& scene, const LightEvent& light, LightWords words);
 
 /// Light as one number where its channels are equal, else as three.

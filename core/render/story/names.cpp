@@ -7,7 +7,7 @@
 namespace ps {
 namespace {
 
-/// What the object is called without its number: "sphere", or the name of its model.
+/// The object's name without its number: "sphere", or the name of its model.
 std::string kind_of(const Geometry& geometry, const Object& object) {
   if (std::holds_alternative<Sphere>(object.shape)) return "sphere";
   if (const auto* solid = std::get_if<Solid>(&object.shape)) return std::string(form_name(solid->form));

@@ -83,7 +83,7 @@ std::string reject_count_text(RejectReason reason, std::size_t count) {
 }
 
 std::string behind_camera_text(const FragmentEvent& fragment) {
-  if (fragment.id.object < 0) return {};  // drawn on the canvas, where nothing has a depth
+  if (fragment.id.object < 0) return {};  // drawn on the canvas, which has no depth
   const auto behind =
       std::count_if(fragment.corner_depth.begin(), fragment.corner_depth.end(), [](double z) { return !(z > 0); });
   if (behind == 0) return {};

@@ -19,7 +19,7 @@ inline constexpr std::array all_reject_reasons{
 /// "1 back face culled", "2 triangles nearer than the near plane"
 std::string reject_count_text(RejectReason reason, std::size_t count);
 
-/// What is wrong with a fragment that clipping should have prevented (CGFS ch. 9 and 11): "two of its vertices lie
+/// The fault of a fragment that clipping should have prevented (CGFS ch. 9 and 11): "two of its vertices lie
 /// behind the camera"; a perspective projection turns those upside down. Empty if all lie before it.
 std::string behind_camera_text(const FragmentEvent& fragment);
 

@@ -31,7 +31,7 @@ std::size_t count_events(const std::vector<Event>& events) {
   return count;
 }
 
-/// What each light does at the hit of ray `ray`, where it is worth a word.
+/// The effect of each light at the hit of ray `ray`, where it is worth a word.
 void add_light_remarks(const PixelStory& story, const Scene& scene, int ray, const PixelId& hit,
                        std::vector<std::string>& parts) {
   for (const int index : events_of_ray<LightEvent>(story.events, ray)) {
@@ -149,7 +149,7 @@ void add_fragment_remarks(const PixelStory& story, std::size_t writes, std::vect
 void add_shadow_remarks(const PixelStory& story, std::vector<std::string>& parts) {
   std::map<int, double> current, seen;  // share by light
   PixelId written;
-  bool further_pass = false;  // over what is written: a light that is blocked there adds nothing
+  bool further_pass = false;  // over what is written: a light that is blocked there adds no light
   for (const Event& event : story.events) {
     if (const auto* fragment = std::get_if<FragmentEvent>(&event.data)) {
       current.clear();
