@@ -16,7 +16,7 @@ struct ObjMaterials {
 };
 
 /// Reads the material files that an OBJ file names, in its order, into model.materials, model.textures, model.files and
-/// model.warnings. The first of two with one name counts. A file that is missing or is no text is a warning, as models
+/// model.warnings. The first of two with one name counts. A file that is missing or not text is a warning, as models
 /// often come without theirs.
 ObjMaterials load_obj_materials(const std::filesystem::path& obj, const std::vector<ObjReference>& files,
                                 ObjModel& model);
