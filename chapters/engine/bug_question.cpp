@@ -43,7 +43,7 @@ Image<Rgb8> picture(const Document& document, Side side, Progress& progress) {
   return display_frame(render(document.scene, view_of(document), settings, {}, prepared, progress), settings);
 }
 
-/// Of the document alone.
+/// Checks that need the document alone.
 std::string check_sides(const Document& document) {
   Settings cured = document.a.settings;
   cured.listing_bug = 0;

@@ -26,7 +26,7 @@ std::string with_unit(double value, const std::string& unit) {
   return measured_text(value) + (unit.empty() ? "" : " " + unit);
 }
 
-/// What is wrong with the choices, or nothing.
+/// The fault of the choices; empty if there is none.
 std::string check_choices(const LessonQuestion& question, double value) {
   int right = 0;
   for (const AnswerChoice& choice : question.choices) {
@@ -55,7 +55,7 @@ std::string check_pixel(const LessonQuestion& question, Progress& progress, std:
   const PixelStory story = inspect(document.scene, view_of(document), side_of(document, document.picked).settings,
                                    document.pixel, prepared, progress);
   if (const auto objection = not_askable(question.about, story)) return std::string(*objection);
-  // Nothing that can be right, so that the sentence names the answer.
+  // An answer that cannot be right, so that the sentence names the right one.
   const std::string sentence =
       judge(question.about, Guess{{-1, -1, -1}, -2, -1, -2, -1}, story, document.scene).sentence;
   found = sentence.substr(0, sentence.find("; you said"));

@@ -9,7 +9,7 @@
 namespace ps {
 namespace {
 
-/// What follows `mutation`: the key of an option, `metric ...`, or a line of a `settings` block.
+/// Reads the words behind `mutation`: the key of an option, `metric ...`, or a line of a `settings` block.
 void read_mutation(const BlockLine& line, Mutation& mutation) {
   std::string_view rest = line.rest;
   const std::string word(take_word(rest));

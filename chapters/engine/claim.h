@@ -7,13 +7,13 @@
 
 namespace ps {
 
-/// What breaks a claim: options that go back to their defaults on both sides, lines as a step has them, or another
-/// thing that is measured.
+/// A change that breaks a claim: options that go back to their defaults on both sides, lines as a step has them, or
+/// another thing that is measured.
 struct Mutation {
   std::vector<std::string> reset;  ///< keys of options
   LessonState state;               ///< the claim's with the lines of the mutation
   Metric metric;                   ///< the claim's, or the one in its place
-  bool changes_metric = false;     ///< nothing on the screen changes
+  bool changes_metric = false;     ///< the screen does not change
   std::string text;                ///< "default shadow-epsilon", "scene cgfs/spheres"
   std::string words;               ///< "Shadow epsilon at its default", "scene cgfs/spheres"
 };
@@ -34,7 +34,7 @@ Document claim_document(const Claim& claim, const Document& now);
 /// The same with the mutation.
 Document mutated_document(const Claim& claim, const Document& now);
 
-/// What a check found.
+/// The result of a check.
 struct ClaimResult {
   double value = 0;          ///< with the step's settings
   double mutated_value = 0;  ///< with the mutation

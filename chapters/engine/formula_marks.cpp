@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t most_formulas = 1000;  // a page shows some dozens, and all of them are laid out at once
 
-/// Where the code that begins with the backticks at `at` ends; behind these alone if nothing closes it.
+/// Where the code that begins with the backticks at `at` ends; behind these alone if none close it.
 std::size_t end_of_code(std::string_view text, std::size_t at) {
   const std::size_t begin = std::min(text.find_first_not_of('`', at), text.size());
   const std::size_t length = begin - at;

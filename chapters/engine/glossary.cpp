@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t largest_glossary = 1 << 20;
 constexpr std::string_view entry_mark = "## ";
 
-/// What words are compared by: their case and hyphens do not count, so that a link can write hyphens for blanks.
+/// The key by which words are compared: case and hyphens do not count, so that a link can write hyphens for blanks.
 std::string key_of_words(std::string_view words) {
   std::string key = in_lower_case(words);
   std::replace(key.begin(), key.end(), '-', ' ');
@@ -40,7 +40,7 @@ std::vector<std::string> words_in_heading(std::string_view line) {
   return words;
 }
 
-/// What is in front of the first heading is for those who edit the file.
+/// Text in front of the first heading is for those who edit the file.
 std::vector<RawEntry> raw_entries(std::string_view text) {
   std::vector<RawEntry> entries;
   for (int line = 1; !text.empty(); ++line) {

@@ -7,7 +7,7 @@
 namespace ps {
 namespace {
 
-/// What no reader of a page can follow has no link: options and panels are in the window alone.
+/// Links that no reader of a page can follow are left out: options and panels are in the window alone.
 std::string linked(const TextSpan& span, std::string html) {
   switch (span.link.kind) {
   case LinkKind::step:

@@ -22,7 +22,7 @@ bool is_here(std::string_view renderer) {
   return std::any_of(kinds.begin(), kinds.end(), [&](const RendererKind& kind) { return kind.key == renderer; });
 }
 
-/// What follows "renderer:" before the first step; empty where nothing does or the file cannot be read.
+/// The text behind "renderer:" before the first step; empty without such a line and where the file cannot be read.
 std::string needed_renderer(const std::string& name) {
   constexpr std::string_view word = "renderer:";
   try {

@@ -34,7 +34,7 @@ void append_blocks(const std::vector<TextBlock>& blocks, std::string& text) {
   for (const TextBlock& block : blocks) text += plain_text(block) + ' ';
 }
 
-/// What a step shows before its question, if it has one, is answered.
+/// The texts of a step before its question, if it has one, is answered.
 std::string shown_text(const LessonStep& step) {
   std::string text;
   append_blocks(step.blocks, text);

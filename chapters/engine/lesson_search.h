@@ -26,7 +26,7 @@ struct LessonHit {
   std::vector<TextRange> marked;  ///< the words of the query in `around`, in their order there
 };
 
-/// What a search found.
+/// The result of a search.
 struct LessonHits {
   std::vector<LessonHit> hits;  ///< best first
   std::vector<std::string>
@@ -44,7 +44,7 @@ class LessonIndex {
   /// The lessons and steps that have each word of the query, whatever its order and case, also within longer words.
   /// Titles come before headings of steps, and these before texts; in each, the query in one piece comes before whole
   /// words, and these before parts of words; then the order of the course decides. If there is none, similar words are
-  /// sought: with a few wrong letters, or with letters left out. An empty query finds nothing.
+  /// sought: with a few wrong letters, or with letters left out. An empty query has no result.
   LessonHits find(std::string_view query) const;
 
  private:

@@ -288,7 +288,7 @@ class MarkdownReader {
     if (ours) read_to_ = std::max(read_to_, at + text.size());
   }
 
-  /// What md4c leaves as text although it marks something: its partner is missing.
+  /// A sign that md4c leaves as text although it is a mark: its partner is missing.
   void require_no_loose_marks(std::string_view text, std::size_t at) const {
     for (std::size_t i = 0; i < text.size(); ++i) {
       if (std::string_view("*`[]$").find(text[i]) == std::string_view::npos) continue;

@@ -13,7 +13,7 @@ namespace ps {
 
 enum class MathsStyle { upright, italic, bold };
 
-/// What a sign is among its neighbours. The space between two of them follows from it (maths_space()).
+/// The role of a sign among its neighbours. The space between two of them follows from it (maths_space()).
 enum class MathsRole {
   ordinary,
   function,  ///< sin, max, and large operators such as a sum
@@ -27,7 +27,7 @@ enum class MathsRole {
 enum class MathsAccent { vector, hat, bar };
 
 struct MathsNode;
-/// What is written side by side.
+/// Parts that are written side by side.
 using MathsRow = std::vector<MathsNode>;
 
 /// A letter, a number, the name of a function or any other sign.

@@ -56,7 +56,7 @@ class FormulaReader {
     throw InputError(place_in(text_, at, start_), std::move(found), std::move(expected));
   }
 
-  /// What ends a row is there, but nothing that it could end.
+  /// The end of a row is there, but no row that it could end.
   [[noreturn]] void refuse_end() const {
     switch (text_[at_]) {
     case '}':
@@ -130,7 +130,7 @@ class FormulaReader {
     return {std::move(scripts)};
   }
 
-  /// What follows a command or a script: {...}, or one sign.
+  /// The argument of a command or a script: {...}, or one sign.
   MathsRow read_argument(std::string_view of) {
     const Nesting nesting(*this, at_);
     if (of == "^" || of == "_") ++at_;
@@ -363,7 +363,7 @@ class FormulaReader {
     return {std::move(matrix)};
   }
 
-  /// A line behind the last '\\' that holds nothing is not a row.
+  /// An empty line behind the last '\\' is not a row.
   void finish_matrix(MathsMatrix& matrix, std::size_t begin) const {
     if (matrix.rows.size() > 1 && matrix.rows.back().size() == 1 && matrix.rows.back().front().empty())
       matrix.rows.pop_back();

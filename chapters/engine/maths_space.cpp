@@ -48,7 +48,7 @@ std::vector<MathsRole> roles_in(const MathsRow& row) {
     roles.push_back(role);
     if (!std::holds_alternative<MathsSpace>(node.what)) operand_before = !wants_operand(role);
   }
-  // A sign with nothing behind it, as in "x^+", binds nothing either.
+  // A sign at the end, as in "x^+", does not bind either.
   if (!roles.empty() && roles.back() == MathsRole::binary) roles.back() = MathsRole::ordinary;
   return roles;
 }

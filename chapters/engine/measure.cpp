@@ -143,7 +143,7 @@ ValueAt ids_at(Bench& bench, Side side, const std::function<double(const PixelId
   return [ids = bench.frame(side, Channel::ids)->ids, value](int x, int y) { return value(ids.at(x, y)); };
 }
 
-/// What the metric reads at each pixel.
+/// The number that the metric reads at each pixel.
 ValueAt values_of(Bench& bench, const Metric& metric) {
   switch (metric.kind) {
   case MetricKind::red:
@@ -180,7 +180,7 @@ ValueAt values_of(Bench& bench, const Metric& metric) {
   throw InputError(fmt::format("'{}' does not read a single pixel", metric_text(metric)));
 }
 
-/// What the metric reads at the picked pixel, or the mean of that over its rectangle.
+/// The number that the metric reads at the picked pixel, or its mean over its rectangle.
 double picked_value(Bench& bench, const Metric& metric) {
   if (!metric.within) {
     const Vec2i pixel = bench.pixel();

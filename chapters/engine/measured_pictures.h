@@ -11,8 +11,8 @@
 
 namespace ps {
 
-/// What measurements share that follow one another: the newest pictures, the scene that was loaded last and what was
-/// prepared for it. For one thread at a time.
+/// The state that measurements share which follow one another: the newest pictures, the scene that was loaded last and
+/// what was prepared for it. For one thread at a time.
 class MeasuredPictures {
  public:
   /// The document's scene rendered with these settings and channels: kept from before, if it was among the newest.

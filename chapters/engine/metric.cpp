@@ -56,7 +56,7 @@ std::string_view key_of(const Metric& metric) {
 
 bool counts(MetricKind kind) { return kind == MetricKind::counter || kind == MetricKind::counter_ratio; }
 
-/// What a metric is computed from.
+/// The source of a metric.
 enum class MetricSource { two_pictures, level, id, other };
 
 MetricSource metric_source(MetricKind kind) {

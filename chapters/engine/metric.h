@@ -7,7 +7,7 @@
 #include "base/progress.h"
 #include "document/document.h"
 
-/// What the lessons measure: numbers on the pictures A and B, and the bounds that they keep.
+/// The metrics of lessons: numbers on the pictures A and B, and the bounds that they keep.
 
 namespace ps {
 
@@ -57,7 +57,7 @@ bool reads_pictures(MetricKind kind);
 /// Whether it depends on which pixel is picked.
 bool reads_pixel(const Metric& metric);
 
-/// What is required of a number. `equals` allows a tolerance on both sides.
+/// The condition on a number. `equals` allows a tolerance on both sides.
 struct Bound {
   enum class Kind { at_least, at_most, equals };
   Kind kind = Kind::at_least;

@@ -5,7 +5,7 @@
 
 namespace ps {
 
-/// What a metric measures, as a noun phrase: "pixels that differ", "shadow rays in A".
+/// The quantity that a metric measures, as a noun phrase: "pixels that differ", "shadow rays in A".
 std::string metric_words(const Metric& metric);
 /// "at least 1,000", "at most 3", "121", "0.333 ± 0.001"
 std::string bound_words(const Bound& bound);

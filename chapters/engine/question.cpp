@@ -81,7 +81,7 @@ void read_question_line(const BlockLine& line, LessonQuestion& question) {
         "ask, text, metric, within, choice, bound, tolerance, unit, why, hide or a line of a settings block");
 }
 
-/// What a kind must have, and the words that only it may have.
+/// The lines that a kind must have, and those that only it may have.
 void require_complete(const LessonQuestion& question, const std::vector<BlockLine>& lines, const SourcePlace& place) {
   if (!has_line(lines, "ask"))
     throw InputError(place, "a question about nothing", fmt::format("a line 'ask' with {}", kinds));

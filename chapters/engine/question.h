@@ -46,7 +46,7 @@ struct LessonQuestion {
 /// "choice", "number", "click", "bug", "colour", "winner", "rays", "triangle", "tests"
 std::string_view ask_text(const LessonQuestion& question);
 
-/// What is known of the right answer to a question, but for AskKind::pixel.
+/// The right answer to a question, but for AskKind::pixel.
 struct MeasuredAnswer {
   double value = 0;             ///< of the metric; choice and number
   Image<unsigned char> places;  ///< click: 1 where the answer is right
@@ -58,7 +58,7 @@ struct MeasuredAnswer {
 /// `pictures`: what earlier measurements have rendered.
 MeasuredAnswer measure_answer(const LessonQuestion& question, Progress& progress, MeasuredPictures* pictures = nullptr);
 
-/// What a student answers; only the member of the question's kind counts.
+/// A student's answer; only the member of the question's kind counts.
 struct StudentAnswer {
   int choice = -1;
   double number = 0;

@@ -5,7 +5,7 @@
 
 #include "document/document.h"
 
-/// What a step of a lesson puts on the screen.
+/// The screen of a step of a lesson.
 
 namespace ps {
 
@@ -18,7 +18,7 @@ struct StatePart {
   bool operator==(const StatePart&) const = default;
 };
 
-/// What a step puts on the screen. Everything starts from the scene's own settings, so that each step can be shown
+/// The screen of a step. Everything starts from the scene's own settings, so that each step can be shown
 /// without those before it.
 struct LessonState {
   std::string scene;  ///< name or path as load_scene takes it; "./x" in a lesson is a file beside it

@@ -45,7 +45,7 @@ struct TextBlock {
 /// The words alone, in one line.
 std::string plain_text(const TextBlock& block);
 
-/// The formula of a block that is nothing but a formula on a line of its own; else nullptr.
+/// The formula of a block that is only a formula on a line of its own; else nullptr.
 const Formula* display_formula(const TextBlock& block);
 
 /// Beside the tools a link can name this panel, with all options, the pixel's story (story_names::one) and in it the
@@ -59,7 +59,7 @@ TextLink parse_link(std::string_view target);
 /// "KEY", "a.KEY" or "b.KEY" of a live control. Throws an InputError without a place if there is no such option.
 TextLink parse_control(std::string_view target);
 
-/// What a name in bold leads to: the option, the first option of the group, or the panel of that name, in whatever
+/// The target of a name in bold: the option, the first option of the group, or the panel of that name, in whatever
 /// case. No link for other words.
 TextLink link_of_name(std::string_view name);
 

@@ -6,7 +6,7 @@
 
 #include "engine/lesson_search.h"
 
-/// Parts of LessonIndex that know nothing of lessons. All texts and words are in small letters.
+/// Parts of LessonIndex that do not depend on lessons. All texts and words are in small letters.
 
 namespace ps {
 
