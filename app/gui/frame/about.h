@@ -2,7 +2,7 @@
 
 namespace ps::gui {
 
-/// What this program is and what it runs on: the things that a report of a fault needs.
+/// The program's version and the system that it runs on: the facts that a report of a fault needs.
 struct About {
   bool open = false;
   void draw();

@@ -10,7 +10,7 @@
 
 namespace ps::gui {
 
-/// What the tools below the pictures remember beside the document: of each group the tool that was open last.
+/// State of the tools below the pictures beside the document: of each group the tool that was open last.
 struct DrawerState {
   std::array<std::string_view, 4> last{};
 };

@@ -78,7 +78,7 @@ void FileDialog::draw() {
     ImGui::OpenPopup(title);
     ++asked_;
   }
-  if (question_.title.empty()) return;  // nothing was asked yet
+  if (question_.title.empty()) return;  // no question was asked yet
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(px(620), window.x - px(20)), 0});

@@ -9,7 +9,7 @@
 
 namespace ps::gui {
 
-/// What the window shows first.
+/// The document that the window shows first.
 struct AppOptions {
   std::string scene;                    ///< path or built-in name; empty = the first-start scene
   std::string permalink;                ///< instead of a scene
@@ -23,7 +23,7 @@ struct AppOptions {
 /// to be had.
 Document first_document(const AppOptions& options);
 
-/// Nothing says what to show: the window may restore what was open when the program did not end properly.
+/// No argument says what to show: the window may restore what was open when the program did not end properly.
 bool nothing_asked(const AppOptions& options);
 
 /// The newest of what programs that did not end properly had open, if it can be read. All others stay on disk, named

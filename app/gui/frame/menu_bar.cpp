@@ -56,7 +56,7 @@ void MenuBar::study_menu() {
   end_menu();
 }
 
-/// What the window is for, with the key of each.
+/// The modes of the window, with the key of each.
 void MenuBar::mode_buttons() {
   struct Row {
     ScreenMode mode;
@@ -90,7 +90,7 @@ void MenuBar::draw() {
     if (menu_item("about", "About Pixelscope")) about_.open = true;
     end_menu();
   }
-  // Of a file the name is enough to be read from the last row.
+  // The name of a file is enough to be read from the last row.
   const std::filesystem::path path(session_.document().scene_name);
   const std::string name = path.is_absolute() ? path.filename().string() : path.string();
   const std::string& title = session_.scene().title;

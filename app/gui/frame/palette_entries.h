@@ -8,7 +8,7 @@
 
 namespace ps::gui {
 
-/// What the palette finds besides the actions: lessons, options and their values, presets and bookmarks,
+/// Entries of the palette besides the actions: lessons, options and their values, presets and bookmarks,
 /// scenes and experiments.
 /// `show_options` brings the list of options into sight.
 std::vector<PaletteEntry> palette_entries(Session& session, LessonColumn& column, OptionsPanelState& options,

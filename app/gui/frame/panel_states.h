@@ -26,7 +26,7 @@
 
 namespace ps::gui {
 
-/// What the panels remember of themselves beside the document.
+/// State of the panels beside the document.
 struct PanelStates {
   /// `wake` may be called from any thread; `remember`: results of studies are kept from one start to the next.
   PanelStates(const std::function<void()>& wake, bool remember);

@@ -73,7 +73,7 @@ Panel lesson(Session& session, PanelStates& my) {
               }};
 }
 
-/// What the row of an option asks the chart for.
+/// Hands the chart the sweep that an option's row asks for.
 void take_sweep(Session& session, PanelStates& my) {
   const Option* swept = std::exchange(my.options.sweep, nullptr);
   if (!swept) return;
@@ -242,7 +242,7 @@ void offer_space_values(Values& out, Session& session, SpacePanelState& space) {
   });
 }
 
-/// A view that is not drawn, or has no room, asks for nothing in this frame and keeps nothing busy.
+/// A view that is not drawn, or has no room, asks for no work in this frame and keeps no worker busy.
 template <class Worker>
 void wait_unless_drawn(Worker& worker) {
   worker.rest();

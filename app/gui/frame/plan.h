@@ -3,7 +3,7 @@
 
 namespace ps::gui {
 
-/// What a plan is made for. Lengths are in window pixels.
+/// The input of a plan. Lengths are in window pixels.
 struct PlanInput {
   Area area;                 ///< that is divided: the window without its menu and status lines
   ImVec2 window{0, 0};       ///< whose share the pictures take

@@ -10,7 +10,7 @@ namespace ps::gui {
 
 // How the window is divided, as edits of the document's layout.
 
-/// What the window is for from now on. The region that filled it gives it back.
+/// Changes the mode of the window. The region that filled it gives it back.
 void set_mode(Session& session, ScreenMode mode);
 
 /// From the presenter back to the lesson, or without one to exploring. Answers whether the presenter was left.

@@ -9,7 +9,7 @@
 namespace ps::gui {
 namespace {
 
-/// What the mouse does in the pictures and elsewhere, for the help sheet.
+/// Actions of the mouse in the pictures and elsewhere, for the help sheet.
 void add_gestures(Actions& actions) {
   for (const auto& [hand, label] : {
            std::pair{"Click", "Inspect a pixel"},

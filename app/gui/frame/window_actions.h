@@ -4,7 +4,7 @@
 
 namespace ps::gui {
 
-/// What keys and menus do with files, the clipboard and the history, and what the mouse does, for the help sheet.
+/// Actions of keys and menus on files, the clipboard and the history, and those of the mouse, for the help sheet.
 /// `host` and the others must outlive the actions.
 void add_window_actions(Actions& actions, Session& session, const PicturesState& pictures, const PanelHost& host);
 

@@ -9,7 +9,7 @@
 
 namespace ps::gui {
 
-/// What panels ask of the window around them.
+/// Services of the window for its panels.
 struct PanelHost {
   /// Puts text on the clipboard and shows `said`.
   std::function<void(const std::string& text, const std::string& said)> copy;
@@ -22,10 +22,10 @@ struct Context {
   bool headed = false;  ///< what its `head` draws is in the line above it
 };
 
-/// What a tool needs to be of use: a strip below the pictures, or the height of one of them.
+/// The height that a tool needs: a strip below the pictures, or the height of one of them.
 enum class PanelHeight { strip, tall };
 
-/// What a tool looks at: the picked pixel, or all of the pictures, for which it may work long.
+/// The subject of a tool: the picked pixel, or all of the pictures, for which it may work long.
 enum class PanelUse { pixel, study };
 
 /// The tab below the pictures under which a tool is shown.

@@ -17,7 +17,7 @@ DisplayArea usable_area(SDL_Window* window);
 
 /// No larger than `room`, either way.
 WindowSize clamped(WindowSize size, WindowSize room);
-/// The size with which a window opens: as wished if that fits, 90 % of the first display if nothing is wished ({0, 0}).
+/// The size with which a window opens: as wished if that fits, 90 % of the first display for {0, 0}.
 WindowSize opening_size(WindowSize wished);
 
 }  // namespace ps::gui

@@ -17,7 +17,7 @@ struct GraphicsDriver {
   std::string version, renderer;
 };
 
-/// What draws into the window: OpenGL, or SDL's own renderer where there is none. Main thread only.
+/// The back end that draws into the window: OpenGL, or SDL's own renderer where there is none. Main thread only.
 class Graphics {
  public:
   Graphics();
@@ -25,7 +25,7 @@ class Graphics {
   Graphics(const Graphics&) = delete;
   Graphics& operator=(const Graphics&) = delete;
 
-  /// Of the window that is open; nullptr without one.
+  /// The back end of the open window; nullptr without one.
   static Graphics* current();
 
   virtual GraphicsDriver driver() const = 0;
@@ -34,9 +34,9 @@ class Graphics {
   virtual void attach() = 0;
   virtual void detach() = 0;
   virtual void begin_frame() = 0;
-  /// Draws over the whole back buffer; `paper` is seen where nothing is drawn.
+  /// Draws over the whole back buffer; `paper` is the background.
   virtual void draw(ImDrawData& data, const ImVec4& paper, WindowSize drawable) = 0;
-  /// What draw() left in the back buffer.
+  /// The back buffer after draw().
   virtual Image<Rgb8> read(WindowSize drawable) const = 0;
   virtual void show() = 0;           ///< the back buffer
   virtual void fonts_changed() = 0;  ///< the font atlas was rebuilt

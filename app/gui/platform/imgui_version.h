@@ -1,5 +1,5 @@
 #pragma once
-// What differs between the versions 1.86 and 1.91 of Dear ImGui. imgui_version.cpp alone asks for the version.
+// The differences between the versions 1.86 and 1.91 of Dear ImGui. imgui_version.cpp alone asks for the version.
 #include <imgui.h>
 
 #include <cstdint>

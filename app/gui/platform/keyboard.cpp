@@ -31,7 +31,7 @@ char32_t character_of(unsigned long symbol) {
   return 0;
 }
 
-/// What SDL says a key types without Shift, 0 for a dead or other key.
+/// The character that a key types without Shift according to SDL, 0 for a dead or other key.
 char32_t sdl_character(Key place) {
   const SDL_Keycode code = SDL_GetKeyFromScancode(static_cast<SDL_Scancode>(scancode_of(place)));
   return code > 0x20 && (code & SDLK_SCANCODE_MASK) == 0 ? static_cast<char32_t>(code) : 0;

@@ -6,13 +6,13 @@
 
 namespace ps::gui {
 
-/// What the window remembers from one start to the next, as text by key, in a JSON file in the user's state folder
+/// The window's memory from one start to the next, as text by key, in a JSON file in the user's state folder
 /// ($XDG_STATE_HOME or ~/.local/state, then pixelscope/window.json). A missing file counts as empty; a damaged one too,
 /// with a complaint, and it is kept as window.json.damaged; so is one of another version, as window.json.old. What
 /// cannot be read or written is not remembered: remembering is a convenience. Several windows may use the same file.
 class StateFile {
  public:
-  /// An empty path remembers nothing.
+  /// With an empty path it is not stored.
   explicit StateFile(std::filesystem::path path);
   static std::filesystem::path default_path();
 

@@ -20,7 +20,7 @@ struct SDL_Window;
 
 namespace ps::gui {
 
-/// No display, or nothing that draws into a window. what() is one line for people.
+/// No display, or no way to draw into a window. what() is one line for people.
 class WindowError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -71,7 +71,7 @@ XWindow x_window(SDL_Window* window) {
   return {info.info.x11.display, info.info.x11.window};
 }
 
-/// What a window's property lists; empty if it has no such property, or if the window is gone.
+/// The list in a window's property; empty if it has no such property, or if the window is gone.
 std::vector<unsigned long> listed(const XWindow& of, const char* name, Atom type) {
   const Xlib& x = xlib();
   const auto previous = x.on_error([](Display*, XErrorEvent*) { return 0; });  // Xlib's own ends the program

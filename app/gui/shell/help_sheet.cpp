@@ -46,7 +46,7 @@ std::string hand_text(const Gesture& gesture) {
   return gesture.places.empty() ? gesture.hand : keyboard_layout().labels_of_places(gesture.places);
 }
 
-/// What it does on the left, its keys on the right; where both do not fit side by side, what it does takes more lines.
+/// The action on the left, its keys on the right; where both do not fit side by side, what it does takes more lines.
 void row(const std::string& label, const std::string& keys, float width) {
   const float line = ImGui::GetTextLineHeight();
   float keys_width = 0;

@@ -38,7 +38,7 @@ class Shell {
 
   /// Makes the loop draw a frame soon. May be called from any thread, also after the loop has ended.
   void wake();
-  /// Draws again after this many seconds even if nothing happens.
+  /// Draws again after this many seconds even without an event.
   void wake_after(double seconds);
   /// Ends run() after the current frame.
   void quit(int status = 0);
@@ -55,7 +55,7 @@ class Shell {
   void set_clipboard(const std::string& text);
 
   /// Text remembered from one start to the next, by key ("layout/left"); empty if there is none. Scripted windows start
-  /// with nothing remembered and remember nothing, unless XDG_STATE_HOME is set for them.
+  /// without memory and do not store any, unless XDG_STATE_HOME is set for them.
   std::string remembered(const std::string& key) const;
   /// Whether what is remembered now will be there at the next start.
   bool remembers() const;

@@ -62,7 +62,7 @@ void take_result(MicroscopePanelState& state) {
   }
 }
 
-/// Whose numbers are shown; -1 = those of the triangle that the story's selected event is about.
+/// Chooses the triangle whose numbers are shown; -1 = those of the triangle that the story's selected event is about.
 void click_triangle(Session& session, int index) {
   session.navigate([&](Document& document) { document.story.micro_triangle = index; });
 }

@@ -28,7 +28,7 @@ struct MicroResult {
   MicroReading reading;
 };
 
-/// What the microscope's panel remembers of itself.
+/// State of the microscope's panel.
 struct MicroscopePanelState {
   explicit MicroscopePanelState(std::function<void()> wake);
 
@@ -44,7 +44,7 @@ struct MicroscopePanelState {
   std::function<void()> save;  ///< asks where to write the view; empty = it cannot be written
 };
 
-/// What the panel shows now as an SVG file; empty before the first pixel.
+/// The panel's drawing as an SVG file; empty before the first pixel.
 std::string microscope_drawing(const MicroscopePanelState& state);
 
 /// The picked pixel at panel size. A triangle that is clicked is selected in the story, and the other way round.

@@ -6,7 +6,7 @@
 
 namespace ps::gui {
 
-/// What lies around a pixel without edges, with a button that goes to the nearest edge.
+/// The surroundings of a pixel without edges, with a button that goes to the nearest edge.
 void surroundings_view(Session& session, const PixelSurroundings& surroundings, Vec2i pixel);
 
 }  // namespace ps::gui

@@ -5,7 +5,7 @@
 
 namespace ps::gui {
 
-/// What the list of steps remembers of itself.
+/// State of the list of steps.
 struct HistoryPanelState {
   explicit HistoryPanelState(std::function<void()> wake) : thumbnails(std::move(wake)) {}
   bool open = false;

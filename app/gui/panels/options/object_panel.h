@@ -3,7 +3,7 @@
 
 namespace ps::gui {
 
-/// What the panel remembers of itself.
+/// State of the panel.
 struct ObjectPanelState {
   bool open = false;
   int come = 0;  ///< frames in which it is still to be scrolled to: what has just opened has its height only then

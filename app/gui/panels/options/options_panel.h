@@ -8,13 +8,13 @@
 
 namespace ps::gui {
 
-/// What the panel of the picked object needs of the pictures.
+/// The parts of the pictures that the panel of the picked object needs.
 struct PickedParts {
   PickedObject& object;
   bool& gizmo;
 };
 
-/// What the options panel remembers of itself.
+/// State of the options panel.
 struct OptionsPanelState {
   std::string search;
   bool only_differences = false;

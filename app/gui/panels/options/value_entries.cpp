@@ -30,7 +30,7 @@ Effect effect_of(const Session& session, const Option& option, Side side, const 
   return Effect::sets_it;
 }
 
-/// What Enter does, in few words.
+/// The effect of Enter, in few words.
 std::string in_words(Effect effect, Side side) {
   const char letter = letter_of(side);
   switch (effect) {

@@ -6,7 +6,7 @@
 
 namespace ps::gui {
 
-/// What the palette offers of the values of options: "Shading: Gouraud", which sets it in A, and again for B. Choices
+/// Entries of the palette for the values of options: "Shading: Gouraud", which sets it in A, and again for B. Choices
 /// and switches have one entry for each value and picture; numbers have none.
 std::vector<PaletteEntry> value_entries(Session& session);
 

@@ -9,14 +9,14 @@
 
 namespace ps::gui {
 
-/// What the pictures of one step of the history took to make.
+/// The work for the pictures of one step of the history.
 struct WorkOfStep {
   std::uint64_t step = 0;  ///< History::Entry::id
   struct Picture {
     double milliseconds = 0;            ///< of one run
-    std::optional<std::uint64_t> work;  ///< counted_work(); nothing where the renderer counts none
+    std::optional<std::uint64_t> work;  ///< counted_work(); nullopt where the renderer counts none
   };
-  std::array<std::optional<Picture>, 2> pictures;  ///< of A and B; nothing where B is a file
+  std::array<std::optional<Picture>, 2> pictures;  ///< of A and B; nullopt where B is a file
 };
 
 /// Time and counted work over the last changes, in the order in which they were rendered first. A step that is

@@ -13,7 +13,7 @@
 namespace ps::gui {
 namespace {
 
-/// What is interpolated along the edges for both ends of the row.
+/// The values interpolated along the edges, at both ends of the row.
 std::string ends_text(const CanvasRow& row) {
   if (!row.outlined) return "none";
   return vector_text(row.end_colours[0]) + " to " + vector_text(row.end_colours[1]);

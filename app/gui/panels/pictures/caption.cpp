@@ -12,7 +12,7 @@ namespace ps::gui {
 
 std::vector<CaptionWork> caption_work(const RenderResult& result) {
   std::vector<CaptionWork> work;
-  // What this renderer does not count is not shown as 0.
+  // Work that this renderer does not count is not shown as 0.
   const auto sum = [&](std::initializer_list<Counter> counted) { return counted_sum(result.frame.counters, counted); };
   const auto add = [&](std::initializer_list<Counter> counted, const char* one) {
     if (const auto count = sum(counted)) work.push_back({*count, one});
@@ -32,7 +32,7 @@ std::vector<CaptionWork> caption_work(const RenderResult& result) {
     else
       add({Counter::fragments}, "fragment");
     break;
-  case PictureWay::listing:  // a listing counts nothing
+  case PictureWay::listing:  // a listing does not count
     break;
   }
   return work;
@@ -67,7 +67,7 @@ std::optional<std::uint64_t> CaptionChange::before(const CaptionWork& work, doub
   if (left(now) <= 0) return {};
   const auto old =
       std::find_if(before_.begin(), before_.end(), [&](const CaptionWork& one) { return one.one == work.one; });
-  // Two numbers that are shown alike would look like a change of nothing.
+  // Two numbers that are shown alike would look like no change.
   if (old == before_.end() || count_text(old->count) == count_text(work.count)) return {};
   return old->count;
 }

@@ -26,7 +26,7 @@ std::string single_run_text(double milliseconds);
 /// "23.5 ms (22.9 to 24.4)": the median and the quartiles of warm runs.
 std::string warm_time_text(const Quartiles& milliseconds);
 
-/// What one picture's counts were before its last change, for some seconds. Changes in quick succession, as in a drag,
+/// Counts of a picture before its last change, for some seconds. Changes in quick succession, as in a drag,
 /// count as one.
 class CaptionChange {
  public:
@@ -37,7 +37,7 @@ class CaptionChange {
   void take(const std::shared_ptr<const RenderResult>& result, double now);
   /// The count of the same work before; nullopt if its text has not changed, or long ago.
   std::optional<std::uint64_t> before(const CaptionWork& work, double now) const;
-  /// Seconds until before() has nothing to say; 0 if it has nothing now.
+  /// Seconds until before() returns nullopt; 0 if it does already.
   double left(double now) const;
 
  private:

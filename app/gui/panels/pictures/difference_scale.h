@@ -10,7 +10,7 @@ namespace ps::gui {
 /// "12 levels", "31 %", "0.42": a value of the map of a difference, with its unit.
 std::string difference_value_text(double value, DifferenceMode mode);
 
-/// What the map says in words: the 99.9th percentile, the largest value and where, the share of pixels that differ.
+/// The map in words: the 99.9th percentile, the largest value and where, the share of pixels that differ.
 std::string difference_numbers_text(const DifferenceNumbers& numbers, DifferenceMode mode);
 
 /// Where the map of a difference and its scale are in a place: the scale beside the picture or below it, whichever

@@ -16,7 +16,7 @@ struct GizmoMark {
   std::vector<ImVec2> line;  ///< the arrow's shaft or the ring; a square has none
 };
 
-/// A gizmo in the window. Parts that point at the eye, where a drag says nothing, are left out.
+/// A gizmo in the window. Parts that point at the eye, where a drag has no direction, are left out.
 struct ShownGizmo {
   Gizmo gizmo;
   double reach = 1;  ///< length of the arrows, world units
@@ -33,7 +33,7 @@ struct PictureToWindow {
   double arrow = gizmo_arrow;  ///< length of the arrows, at scale 1
 };
 
-/// The gizmo at a size that is the same at any depth; nothing behind the camera.
+/// The gizmo at a size that is the same at any depth; nullopt behind the camera.
 std::optional<ShownGizmo> shown_gizmo(const Gizmo& gizmo, const Sight& sight, const PictureToWindow& to_window);
 
 /// The part of the gizmo at a point of the window, if one is near enough to be taken.

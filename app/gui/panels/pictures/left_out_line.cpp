@@ -24,7 +24,7 @@ float width_of_buttons(const LeftOut& one, std::size_t count) {
   return width;
 }
 
-/// The notice with room for all buttons, or what is before its reason with room for one at least; else nothing.
+/// The notice with room for all buttons, or what is before its reason with room for one at least; else empty.
 std::string text_that_fits(const LeftOut& one, float room) {
   const std::string brief = one.notice.substr(0, one.notice.find(':'));
   const auto fits = [&](const std::string& text, std::size_t buttons) {

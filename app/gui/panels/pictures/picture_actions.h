@@ -4,7 +4,7 @@
 
 namespace ps::gui {
 
-/// What keys and menus do with the pictures: how they are compared and zoomed, what they show, which pixel is picked,
+/// Actions of keys and menus on the pictures: how they are compared and zoomed, what they show, which pixel is picked,
 /// where the camera is.
 void add_picture_actions(Actions& actions, Session& session, PicturesState& pictures);
 

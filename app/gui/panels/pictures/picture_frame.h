@@ -12,8 +12,8 @@
 namespace ps::gui {
 
 /// The lines above and below a picture: what it is made with, which channel is shown, what it cost, what it leaves out.
-/// Where a picture is narrow both have two lines instead of one, so that nothing that matters is cut. The lines below
-/// begin with a row for a note, kept free while there is none so that nothing jumps.
+/// Where a picture is narrow both have two lines instead of one, so that no text that matters is cut. The lines below
+/// begin with a row for a note, kept free while there is none so that no part jumps.
 struct PictureMargins {
   float title = 0, footer = 0;  ///< heights in window pixels
 };

@@ -8,7 +8,7 @@ namespace ps::gui {
 /// "ray tracer, 3 reflections" or "rasterizer, Phong", then the other options that are not at their defaults. Beside a
 /// picture with `other` settings, what differs comes first: "volume-caps = off · rasterizer, Phong".
 std::string title_text(const Settings& settings, const SceneTraits& traits, const Settings* other = nullptr);
-/// What goes on in place of a finished picture, or what has come in its way; empty if neither.
+/// The work in place of a finished picture, or the reason why there is none; empty if neither.
 std::string state_text(const RenderStatus& status, const RenderResult* result);
 /// All counters that are not 0, one a line.
 std::string counters_text(const RenderResult& result);

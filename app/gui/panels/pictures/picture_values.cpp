@@ -21,7 +21,7 @@ std::uint64_t picture_hash(const Image<Rgb8>& levels) {
   return hash;
 }
 
-/// Of what was shown last when no tiles were arriving: large pictures take long to add up.
+/// Hash of the picture that was shown last when no tiles were arriving: large pictures take long to add up.
 std::uint64_t hash_of(Session& session, PicturesState& pictures, Side side) {
   const std::size_t index = index_of(side);
   const RenderState state = session.renderer(side).status().state;

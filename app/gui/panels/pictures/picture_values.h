@@ -4,7 +4,7 @@
 
 namespace ps::gui {
 
-/// What scripts may ask of the pictures as they are on the screen. Both must outlive the offers.
+/// Values of the pictures on the screen for scripts. Both must outlive the offers.
 void offer_picture_values(Values& out, Session& session, PicturesState& pictures);
 
 }  // namespace ps::gui

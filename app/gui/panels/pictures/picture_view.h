@@ -20,7 +20,7 @@ struct ShownPicture {
   void upload(const std::vector<TileRect>& changed);
 };
 
-/// What draw_picture draws besides the picture itself.
+/// The marks that draw_picture draws besides the picture itself.
 struct PictureStyle {
   bool grid = true;                           ///< lines between pixels, and numbers in them, once they are large
   std::function<std::string(Vec2i)> text_at;  ///< what to write into a large pixel; empty = its display levels
@@ -28,7 +28,7 @@ struct PictureStyle {
   std::optional<TileRect> region;             ///< the only pixels that are rendered
 };
 
-/// Draws a picture into an area of the window, and nothing outside it.
+/// Draws a picture into an area of the window, clipped to it.
 void draw_picture(ImDrawList& list, const ShownPicture& picture, const PictureTransform& transform, const Area& area,
                   const PictureStyle& style);
 /// The mark of the picked pixel: a frame around it that can be seen on any colour and at any size.
@@ -39,7 +39,7 @@ void draw_loupe(ImDrawList& list, const ShownPicture& picture, Vec2i pixel, cons
 struct LegendScale {
   Area bar, numbers;
 };
-/// What the colours of a channel mean, in a corner of an area. A scale that has room for controls is left to the
+/// Draws the meaning of a channel's colours, in a corner of an area. A scale that has room for controls is left to the
 /// caller, and its place is the answer.
 std::optional<LegendScale> draw_legend(ImDrawList& list, const ChannelLegend& legend, const Area& area);
 /// A message in the middle of an area.

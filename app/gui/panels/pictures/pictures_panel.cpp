@@ -67,7 +67,7 @@ struct Split {
   float at = 0;  ///< window x of the divider
 };
 
-/// Says why a picture is empty where nothing is in the scene, or nothing that its renderer can show.
+/// Says why a picture is empty where the scene has no object, or none that its renderer can show.
 void nothing_drawn(Session& session, Side side, const Area& area) {
   if (session.scene().geometry->objects.empty() && !session.traits().canvas_items) {
     draw_notice(*ImGui::GetWindowDrawList(), area,
@@ -79,7 +79,7 @@ void nothing_drawn(Session& session, Side side, const Area& area) {
   draw_notice(*ImGui::GetWindowDrawList(), area, left_out(session.traits(), session.settings(side)).front().sentence);
 }
 
-/// What a side shows: its picture, or while that is asked for the one before the last change.
+/// The picture of a side: its own, or while that is asked for the one before the last change.
 const ShownPicture& shown_picture(const Session& session, PicturesState& state, Side side) {
   if (state.was)
     if (const ShownPicture* before = state.before[index_of(side)].before(session.change())) return *before;
@@ -202,7 +202,7 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
   if (status.state == RenderState::done && !split) nothing_drawn(session, shown_side, area);
 }
 
-/// What picture_input() drags; here it is drawn and published to scripts.
+/// The divider that picture_input() drags; here it is drawn and published to scripts.
 void divider(const Area& area, float at, double share) {
   controls().record("pictures/divider", {at - px(divider_reach), area.min.y}, {at + px(divider_reach), area.max.y},
                     short_number(share));

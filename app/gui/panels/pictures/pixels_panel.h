@@ -17,7 +17,7 @@ struct CostRequest {
   Settings settings;
 };
 
-/// What the panel of pixels remembers of itself.
+/// State of the panel of pixels.
 struct PixelsPanelState {
   explicit PixelsPanelState(std::function<void()> wake);
 
@@ -26,7 +26,7 @@ struct PixelsPanelState {
   LatestResult<CostRequest, Image<float>> cost;
   WatchedPixels watched;
 
-  // What was made last, and from what.
+  // The newest result, and the versions that it was made from.
   std::array<std::uint64_t, 2> versions{~std::uint64_t{0}, ~std::uint64_t{0}};
   std::shared_ptr<const Image<float>> ranked_cost;
   Ranked ranked_by = Ranked::difference;

@@ -10,7 +10,7 @@
 
 namespace ps::gui {
 
-/// What slow motion remembers of itself. How far the pictures are drawn is in the document.
+/// State of slow motion. How far the pictures are drawn is in the document.
 struct SlowMotionState {
   bool playing = false;
   double next_at = 0;            ///< seconds on the window's clock when playing goes on
@@ -47,7 +47,7 @@ void update_slow_motion(Session& session, SlowMotionState& state);
 /// `letters_free`: letters are commands now, and do not move the camera.
 void add_slow_motion_actions(Actions& actions, Session& session, SlowMotionState& state,
                              std::function<bool()> letters_free);
-/// What scripts can read of it.
+/// Values for scripts.
 void offer_slow_motion_values(Session& session, SlowMotionState& state);
 
 }  // namespace ps::gui

@@ -22,7 +22,7 @@ struct StoryPlay {
   double next_at = 0;     ///< on the window's clock
 };
 
-/// What the view from outside remembers of itself.
+/// State of the view from outside.
 struct SpacePanelState {
   explicit SpacePanelState(const std::function<void()>& wake) : tree_worker(wake), worker(wake) {}
 

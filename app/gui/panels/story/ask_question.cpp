@@ -78,7 +78,7 @@ std::string answer_text(const LessonQuestions& questions) {
   return "";
 }
 
-/// Why there is nothing to judge yet.
+/// Why there is no answer to judge yet.
 std::string_view missing_answer(const LessonQuestions& questions) {
   switch (questions.question()->kind) {
   case AskKind::choice:
@@ -109,7 +109,7 @@ bool turn_button(AskPlace place, std::string_view label, Emphasis emphasis) {
        .disabled = {}});
 }
 
-/// What a question has besides its sentence and its buttons. Answers whether Enter ended the typing of an answer.
+/// A question's controls besides its sentence and its buttons. Answers whether Enter ended the typing of an answer.
 bool ask_with_controls(const Session& session, LessonQuestions& questions) {
   const LessonQuestion& question = *questions.question();
   switch (question.kind) {

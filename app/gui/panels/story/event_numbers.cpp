@@ -79,7 +79,7 @@ bool counts_a_light(const EventField& field) {
   return field.key == "light" && std::holds_alternative<std::int64_t>(field.value);
 }
 
-/// What a field of that name had, or nothing where it reads the same.
+/// The old text of a field of that name; empty where it reads the same.
 std::string value_then(const std::vector<FieldText>& before, const FieldText& now) {
   for (const FieldText& old : before)
     if (old.name == now.name) return old.exact == now.exact ? std::string() : old.value + " →";

@@ -83,7 +83,7 @@ void headings(const LedgerColumns& columns) {
   ImGui::Dummy({1, font->FontSize});
 }
 
-/// The number of then in one channel of a line, or nothing where it reads the same.
+/// The old number in one channel of a line; empty where it reads the same.
 std::string number_of_then(const LedgerChange* change, int channel) {
   if (!change || !change->after || !change->changed()) return {};
   if (!change->before) return channel == 2 ? "new" : "";

@@ -20,7 +20,7 @@ std::string_view verdict_words(double points) {
 LessonQuestions::LessonQuestions(const std::function<void()>& wake, bool remember, LessonShelf& lessons)
     : lessons_(lessons), remember_(remember), measuring_(wake) {}
 
-/// At the first question, so that a start of the window without one reads nothing.
+/// At the first question, so that a start of the window without one reads no file.
 void LessonQuestions::read_answers(Session& session) {
   if (answers_read_ || !remember_) return;
   answers_read_ = true;

@@ -33,7 +33,7 @@ class LessonQuestions {
   bool asked_beside_text(const Session& session) const;
   /// The verdict on this step's answer; nullptr before it was given.
   const Judgement* verdict() const;
-  /// What was answered, in words; empty for a question that was passed over.
+  /// The answer in words; empty for a question that was passed over.
   std::string given() const;
   /// Keeps what was answered.
   void take(Session& session, const std::string& answer, const Judgement& judgement);
@@ -94,7 +94,7 @@ void way_back_button(Session& session);
 /// A bar from `top` down to the end of the item that was drawn last, in the colour of right or of wrong.
 void verdict_bar(ImVec2 top, const Judgement& judgement);
 
-/// What the lesson's text shows of the step's question: the verdict on its answer; nothing before that.
+/// The verdict on the answer to the step's question, for the lesson's text; nullopt before that.
 std::optional<StepVerdict> shown_verdict(const LessonQuestions& questions);
 
 }  // namespace ps::gui

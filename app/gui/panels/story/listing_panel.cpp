@@ -96,8 +96,8 @@ std::string asked_routine(const ListingPanelState& state) {
   return listing && state.own.task.lesson == listing->folder ? state.own.task.routine : "";
 }
 
-/// Whose picture and pixel the listing is about: a question about a wrong line is one about that of A, and the listing
-/// of B is the answer.
+/// The side whose picture and pixel the listing is about: a question about a wrong line is one about that of A, and the
+/// listing of B is the answer.
 Side listed_side(const Session& session, const ListingPanelState& state) {
   return state.marks.answer ? Side::a : inspected_side(session);
 }

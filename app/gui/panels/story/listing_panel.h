@@ -13,7 +13,7 @@
 
 namespace ps::gui {
 
-/// What the panel of listings remembers of itself.
+/// State of the panel of listings.
 struct ListingPanelState {
   explicit ListingPanelState(const std::function<void()>& wake)
       : worker(std::make_shared<Prepared>(), wake), shaders(wake), own(wake) {}
@@ -31,7 +31,7 @@ struct ListingPanelState {
 
   ShaderPanelState shaders;
   OwnListingState own;
-  /// What is shown where the picture is drawn by shaders.
+  /// The code shown where the picture is drawn by shaders.
   enum class Code { shaders, routine } code = Code::shaders;
 };
 
@@ -43,7 +43,7 @@ void update_listing(Session& session, ListingPanelState& state);
 bool listing_panel(Session& session, ListingPanelState& state, const Context& context, const PanelHost& host);
 
 /// The panel's controls as buttons in one line, the rarer ones in a menu, so that the code has all of the height below.
-/// Nothing where shaders or one's own file are shown, which have more to choose. Answers like listing_panel().
+/// Empty where shaders or one's own file are shown, which have more to choose. Answers like listing_panel().
 bool listing_head(Session& session, ListingPanelState& state, const PanelHost& host);
 
 }  // namespace ps::gui

@@ -13,18 +13,18 @@
 
 namespace ps::gui {
 
-/// What is to be made of a student's own listing.
+/// A picture to be made by a student's own listing.
 struct OwnRequest {
   std::optional<PermittedListing> file;
   int opened = 0;        ///< which of the files that were opened it is
   int saves = 0;         ///< how often it has been saved since
-  bool stopped = false;  ///< nothing, until it is saved again
+  bool stopped = false;  ///< no run until it is saved again
   PictureRequest picture;
   std::optional<Vec2i> pixel;
 };
 bool same_own_request(const OwnRequest& a, const OwnRequest& b);
 
-/// What came of it.
+/// Its result.
 struct OwnOutcome {
   int opened = 0, saves = 0;  ///< of the request
   Compilation compilation;
@@ -60,7 +60,7 @@ struct WriteTask {
   std::string lesson, routine;  ///< empty = none
 };
 
-/// What the panel of listings remembers of a student's own one. Files that were allowed are known in this run alone.
+/// State of the panel of listings for a student's own one. Files that were allowed are known in this run alone.
 struct OwnListingState {
   explicit OwnListingState(const std::function<void()>& wake);
 

@@ -19,7 +19,7 @@ bool own_listing_question(Session& session, OwnListingState& state);
 /// The student's file: what the compiler says at its lines, the values of the picked pixel, and where it goes wrong.
 void own_listing_view(Session& session, OwnListingState& state);
 
-/// What scripts may ask for below "own/". The state must outlive the offers.
+/// Values for scripts below "own/". The state must outlive the offers.
 void offer_own_values(Values& out, const OwnListingState& state);
 
 }  // namespace ps::gui

@@ -9,7 +9,7 @@
 
 namespace ps::gui {
 
-/// What the view of the parting keeps between frames: the comparison of the two stories it was last made for.
+/// State of the view of the parting between frames: the comparison of the two stories it was last made for.
 struct PartingViewState {
   std::array<std::shared_ptr<const PixelStory>, 2> shown_stories;
   Parting parting;

@@ -49,7 +49,7 @@ void gone_events(const PinnedStory& pinned) {
   if (left_out > 0) ImGui::Text("and %zu more that are gone", left_out);
 }
 
-/// What the user has changed since the pixel was pinned: "reflection-depth=1, camera".
+/// The user's changes since the pixel was pinned: "reflection-depth=1, camera".
 std::string changes_since(const Document& document, Side side) {
   const Pin& pin = *document.pin;
   std::vector<std::string> changed =

@@ -18,7 +18,7 @@ struct PinnedStory {
   std::vector<int> steps;  ///< of each event of the later story: index into changes.steps
   std::vector<int> terms;  ///< of each line of its sum: index into changes.ledger
 
-  /// What became of an event or a line of the later story.
+  /// The change of an event or a line of the later story.
   const StepChange& step_of(int event) const {
     return changes.steps[static_cast<std::size_t>(steps[static_cast<std::size_t>(event)])];
   }
@@ -33,7 +33,7 @@ struct PinState {
   std::optional<Pin> shown_pin;  ///< the pin that the stories below belong to,
   std::string shown_scene;       ///< in this scene
   std::array<std::shared_ptr<const PixelStory>, 2> pinned;
-  // What was compared last, for each side.
+  // The stories compared last, for each side.
   std::array<std::shared_ptr<const PixelStory>, 2> compared;
   std::array<PinnedStory, 2> stories;
   std::array<bool, 2> open{true, true};
@@ -50,13 +50,13 @@ bool pin_busy(const PinState& state);
 /// The button that pins the picked pixel, or lets it go.
 void pin_button(Session& session);
 
-/// The story beside the one that was pinned, for old → new beside its numbers; nullptr while nothing is pinned or the
+/// The story beside the one that was pinned, for old → new beside its numbers; nullptr while none is pinned or the
 /// pinned pixel is another one.
 const PinnedStory* pinned_story(const Session& session, PinState& state, Side side,
                                 const std::shared_ptr<const PixelStory>& story);
 
-/// What has no place among the numbers, as a section of the pixel's panel: what was changed since then, the colour, and
-/// the events that are gone. Draws nothing while nothing is pinned.
+/// The changes without a place among the numbers, as a section of the pixel's panel: what was changed since then, the
+/// colour, and the events that are gone. Not drawn while none is pinned.
 void pin_view(Session& session, PinState& state, Side side, const std::shared_ptr<const PixelStory>& story);
 
 }  // namespace ps::gui

@@ -74,7 +74,7 @@ void work(const PixelStory& story, const std::string& name) {
   ImGui::EndTable();
 }
 
-/// What the renderer cannot report of its steps.
+/// The steps that the renderer cannot report.
 void not_reported(const PixelStory& story, const std::string& name) {
   if (story.not_reported.empty()) return;
   ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
@@ -112,7 +112,7 @@ void full_story(Session& session, PixelPanelState& state, Side side, const Pixel
     copy(story_json(story, session.scene(), session.view(), document_provenance(session.document(), side)));
 }
 
-/// What a picture file in B's place has here, beside A.
+/// The colour of a picture file in B's place here, beside A.
 void file_pixel(Session& session, Vec2i pixel, const std::shared_ptr<const PixelStory>& ours) {
   const PictureFile& file = *session.picture_b();
   const Rgb8 level = file.levels.at(pixel.x, pixel.y);

@@ -12,7 +12,7 @@
 
 namespace ps::gui {
 
-/// What the inspector remembers of itself.
+/// State of the inspector.
 struct PixelPanelState {
   /// `wake` as for PinState.
   explicit PixelPanelState(const std::function<void()>& wake) : pin(wake) {}

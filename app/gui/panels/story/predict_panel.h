@@ -30,7 +30,7 @@ struct PredictState {
 bool prediction_pending(Session& session, PredictState& state);
 
 /// From now on every picked pixel is asked about, beginning with the one that is. Opens the panel that asks, wherever
-/// the window has no place for the question: one that cannot be seen hides nothing.
+/// the window has no place for the question: one that is not visible does not hide.
 void ask_about_pixels(Session& session, PredictState& state);
 
 /// Whether the open question is about the picked pixel, whose surroundings answer it.
@@ -39,7 +39,7 @@ bool asks_about_pixel(const Session& session, const PredictState& state);
 /// Asks, with a control for the answer.
 void predict_panel(Session& session, PredictState& state);
 
-/// The verdict on the last answer with the score, above the story. Draws nothing while nothing was asked.
+/// The verdict on the last answer with the score, above the story. Not drawn while none was asked.
 void prediction_verdict(Session& session, PredictState& state);
 
 }  // namespace ps::gui

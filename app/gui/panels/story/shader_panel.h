@@ -49,7 +49,7 @@ class ShaderReload {
   NewestJob job_;  // last, so that its thread ends before what it uses
 };
 
-/// What the view of shaders remembers of itself.
+/// State of the view of shaders.
 struct ShaderPanelState {
   explicit ShaderPanelState(const std::function<void()>& wake);
 

@@ -31,14 +31,14 @@ struct TreeDrawing {
   const Event& event(int index) const { return story.events[static_cast<std::size_t>(index)]; }
   int end(int index) const { return ends[static_cast<std::size_t>(index)]; }
 
-  /// The event as it was when the pixel was pinned; nullptr if it is new or nothing is pinned.
+  /// The event as it was when the pixel was pinned; nullptr if it is new or none is pinned.
   const Event* then(int index) const {
     const int before = pinned ? pinned->step_of(index).before : -1;
     return before < 0 ? nullptr : &pinned->before->events[static_cast<std::size_t>(before)];
   }
   void numbers(int index) const { event_numbers(event(index), scene, then(index)); }
 
-  /// What is too much for the row, a line each.
+  /// The parts without room in the row, a line each.
   void details(int index) const {
     const FontScope font(Face::small);
     int line = 0;

@@ -11,7 +11,7 @@ namespace ps::gui {
 
 inline constexpr int events_per_page = 200;
 
-/// What a tree of events remembers of itself.
+/// State of a tree of events.
 struct StoryTreeState {
   int page = 0;         ///< of a long story
   bool reveal = false;  ///< the selected event shall be brought into view

@@ -8,7 +8,7 @@
 
 namespace ps::gui {
 
-/// What the panel of the vertex remembers of itself.
+/// State of the panel of the vertex.
 struct VertexPanelState {
   std::optional<VertexId> nearest;          ///< the one next to the picked pixel
   std::shared_ptr<const PixelStory> story;  ///< that `nearest` was found from

@@ -3,7 +3,7 @@
 
 namespace ps::gui {
 
-/// What is shown in place of a chart that is not measured yet: its axes without numbers, which corner is the best, and
+/// Shown in place of a chart that is not measured yet: its axes without numbers, which corner is the best, and
 /// the points that will be measured, with the marks that they will have. `button` is what begins it.
 void chart_invitation(const ChartTabState& state, const Area& area, std::string_view button);
 

@@ -12,7 +12,7 @@ namespace ps::gui {
 /// Where a chart's pictures are compared.
 enum class ChartPart { whole, rectangle };
 
-/// What the user has asked a chart to measure.
+/// The measurement that the user has asked for.
 struct ChartSetup {
   std::vector<SweepAxis> axes;
   std::vector<std::string> typed;  ///< for each axis its values as they are in the field, "0,1,2"
@@ -29,11 +29,11 @@ struct ChartSetup {
 /// Replaces the swept options.
 void set_axes(ChartSetup& setup, std::vector<SweepAxis> axes);
 
-/// What a setup comes to with the scene that is open. Made anew only when something of it changes.
+/// The plan of a setup for the open scene. Made anew only when something of it changes.
 struct ChartPlan {
   std::string key;                  ///< everything that decides the results, as text
   std::vector<SweepPoint> points;   ///< empty if there is an error
-  std::vector<std::string> notes;   ///< swept options that change nothing here, and what is absent
+  std::vector<std::string> notes;   ///< swept options without effect here, and what is absent
   std::vector<std::string> absent;  ///< Chart::absent
   std::string truth;                ///< what errors are measured against
   std::string error;                ///< why it cannot be measured

@@ -18,7 +18,7 @@ struct ChartFound {
 
 using ChartStudy = BackgroundStudy<ChartFound>;
 
-/// What a chart will take, before it is measured.
+/// The time that a chart will take, before it is measured.
 using ChartEstimateStudy = BackgroundStudy<StudyEstimate>;
 void start_estimate(ChartEstimateStudy& study, ChartRequest request);
 

@@ -22,7 +22,7 @@ struct ChartPreview {
   double gain = 1;  ///< of the difference
 };
 
-/// What the chart remembers of itself.
+/// State of the chart.
 struct ChartTabState {
   explicit ChartTabState(const std::function<void()>& wake) : study(wake), estimate(wake) {}
 

@@ -35,7 +35,7 @@ std::optional<double> film_strip_slider(FilmStripState& state, const StabilityEx
 
 /// The strip of the experiment over the whole width: above each frame its knob, with a line from there to the knob's
 /// place on the axis of the plot `above`, if there is one over the same knob. Answers the knob of the frame that was
-/// newly chosen, by a click or by a drag along the strip. Draws nothing for an experiment without pictures.
+/// newly chosen, by a click or by a drag along the strip. Empty for an experiment without pictures.
 std::optional<double> film_strip_view(FilmStripState& state, const StabilityExperiment& experiment,
                                       const PlotFrame* above);
 

@@ -158,7 +158,7 @@ void wrapped(const char* name, const std::string& text) {
   controls().record(name, text);
 }
 
-/// What the scene needs, in words: known as soon as every feature was tried.
+/// The needs of the scene in words: known as soon as every feature was tried.
 void needs_in_words(const NeedsTabState& state) {
   const std::string text = needs_sentence(state.scene_name, *state.needs);
   if (text.empty()) return;

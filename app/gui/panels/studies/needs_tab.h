@@ -15,7 +15,7 @@ namespace ps::gui {
 using NeedsStudy = BackgroundStudy<Needs>;
 using NeedsEstimateStudy = BackgroundStudy<NeedsEstimate>;
 
-/// What the advice remembers of itself.
+/// State of the advice.
 struct NeedsTabState {
   explicit NeedsTabState(const std::function<void()>& wake) : study(wake), estimate(wake) {}
 

@@ -25,7 +25,7 @@ struct StabilityFound {
 };
 using StabilityStudy = BackgroundStudy<StabilityFound>;
 
-/// What the laboratory remembers of itself.
+/// State of the laboratory.
 struct StabilityTabState {
   explicit StabilityTabState(const std::function<void()>& wake) : strip(wake), study(wake), opening(wake) {}
 

@@ -10,12 +10,12 @@ namespace ps::gui {
 /// else; who comes back wants it to go on.
 class StepWork {
  public:
-  /// It begins for the step that is open; nothing is noted without a lesson.
+  /// It begins for the step that is open; none is noted without a lesson.
   void begin(const Session& session) {
     const Document& document = session.document();
     if (!document.lesson.empty()) of_ = Step{document.lesson, document.step};
   }
-  /// What is done from now on somebody has asked for.
+  /// From now on the work has been asked for.
   void forget() { of_.reset(); }
   /// Answers, once, that its step was left.
   bool leave(const Session& session) {

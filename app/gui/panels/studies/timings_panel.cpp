@@ -181,7 +181,7 @@ void run_line(Session& session, TimingsState& state, const Results& results) {
   if (state.study.state() == StudyState::failed) sentence("state", "Failed: " + state.study.message());
 }
 
-/// Which code drew each picture, and why it was nothing faster.
+/// The code path of each picture, and why it was not a faster one.
 void machinery(const Results& results) {
   ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
   for (const Side side : both_sides) {

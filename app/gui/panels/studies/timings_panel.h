@@ -17,7 +17,7 @@ struct FoundTiming {
   PairTiming timing;
 };
 
-/// What the tab remembers of itself.
+/// State of the tab.
 struct TimingsState {
   explicit TimingsState(const std::function<void()>& wake) : study(wake) {}
   BackgroundStudy<FoundTiming> study;

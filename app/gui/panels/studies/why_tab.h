@@ -23,7 +23,7 @@ struct PrecisionFound {
 using CausesStudy = BackgroundStudy<DifferenceByCause>;
 using PrecisionStudy = BackgroundStudy<PrecisionFound>;
 
-/// What the tab remembers of itself.
+/// State of the tab.
 struct WhyTabState {
   explicit WhyTabState(const std::function<void()>& wake) : causes(wake), precision(wake) {}
 
