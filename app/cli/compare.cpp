@@ -34,7 +34,7 @@ ComparedFiles compare_files(const CompareArguments& arguments) {
   files.values = compare_channels(files.a.colour, files.b.colour);
   files.asked = arguments.linear ? compare_linear(files.a.colour, files.b.colour)
                                  : compare_images(display_image(files.a.colour), display_image(files.b.colour));
-  files.alpha = compare_alpha(files.a, files.b);
+  files.alpha = compare_alpha(files.a.alpha, files.b.alpha);
   files.asked.identical = files.values.identical && files.alpha.differing == 0;
   return files;
 }

@@ -103,13 +103,12 @@ Comparison compare_images(const Image<Rgb8>& a, const Image<Rgb8>& b) {
   return result;
 }
 
-AlphaDifference compare_alpha(const StoredPicture& a, const StoredPicture& b) {
+AlphaDifference compare_alpha(const Image<float>& a, const Image<float>& b) {
   AlphaDifference result;
-  if (a.alpha.empty() && b.alpha.empty()) return result;
-  const auto alpha = [](const StoredPicture& picture, std::size_t i) {
-    return picture.alpha.empty() ? 1.0 : static_cast<double>(picture.alpha.pixels()[i]);
+  const auto alpha = [](const Image<float>& image, std::size_t i) {
+    return image.empty() ? 1.0 : static_cast<double>(image.pixels()[i]);
   };
-  for (std::size_t i = 0; i < a.colour.pixels().size(); ++i) {
+  for (std::size_t i = 0; i < std::max(a.pixels().size(), b.pixels().size()); ++i) {
     const double difference = std::abs(alpha(a, i) - alpha(b, i));
     result.differing += difference > 0 ? 1 : 0;
     result.max = std::max(result.max, difference);

@@ -2,7 +2,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "image/stored_picture.h"
+#include "image/image.h"
+#include "math/vec.h"
 
 namespace ps {
 
@@ -37,8 +38,8 @@ struct AlphaDifference {
   std::int64_t differing = 0;  ///< pixels
   double max = 0;              ///< largest difference, 0..1
 };
-/// An empty image is opaque. Both pictures have the same size.
-AlphaDifference compare_alpha(const StoredPicture& a, const StoredPicture& b);
+/// An empty image is opaque. Both have the same size else.
+AlphaDifference compare_alpha(const Image<float>& a, const Image<float>& b);
 
 /// Compares floats as they are; SSIM and FLIP see them clamped to [0, 1], FLIP as linear light.
 Comparison compare_linear(const Image<Vec3f>& a, const Image<Vec3f>& b);

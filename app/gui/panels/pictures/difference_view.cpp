@@ -114,6 +114,8 @@ std::shared_ptr<const Image<Vec3f>> values_of(Session& session, Side side) {
   return {result, &result->frame.colour};
 }
 
+std::string in_pixels(std::int64_t count) { return fmt::format("in {} pixel{}", count, count == 1 ? "" : "s"); }
+
 /// Equal display levels may hide values that differ: colours beyond white, negative ones, steps below a level, NaN.
 std::string identical_text(Session& session, PicturesState& state) {
   const auto file = session.picture_b();
@@ -126,15 +128,20 @@ std::string identical_text(Session& session, PicturesState& state) {
   if (state.compared_values[0].lock() != a || state.compared_values[1].lock() != b) {
     state.compared_values = {a, b};
     state.value_difference = compare_channels(*a, *b);
+    state.alpha_difference = file ? compare_alpha({}, file->stored.alpha) : AlphaDifference{};
   }
   const Comparison& values = state.value_difference;
-  const std::string alpha = file && !file->stored.alpha.empty() ? " The alpha of the file is not compared." : "";
-  if (values.identical) return fmt::format("A and B are identical{}.{}", although, alpha);
+  const AlphaDifference& opacity = state.alpha_difference;
+  const std::string alpha = opacity.differing > 0 ? fmt::format(" The alpha of B differs from 1 by at most {:.3g} {}.",
+                                                                opacity.max, in_pixels(opacity.differing))
+                                                  : "";
+  if (values.identical)
+    return fmt::format("A and B are identical{}{}.{}", alpha.empty() ? "" : " in colour", although, alpha);
   const std::string by = values.max > 0 ? fmt::format(" by at most {:.3g}", values.max) : "";
   const std::string not_finite =
       values.not_finite > 0 ? fmt::format(" {} pixels are not finite.", values.not_finite) : "";
-  return fmt::format("A and B are identical in display levels{}. Their values differ{} in {} pixels.{}{}", although, by,
-                     values.differing, not_finite, alpha);
+  return fmt::format("A and B are identical in display levels{}. Their values differ{} {}.{}{}", although, by,
+                     in_pixels(values.differing), not_finite, alpha);
 }
 
 /// A ring around the pixel with the largest difference.

@@ -64,6 +64,7 @@ struct PicturesState {
   bool identical = false;             ///< the levels of A and B, when the difference was last made
   std::array<std::weak_ptr<const Image<Vec3f>>, 2> compared_values;  ///< behind pictures of equal levels
   Comparison value_difference;                                       ///< of these
+  AlphaDifference alpha_difference;  ///< of a file in B's place and a render, which is opaque
   DifferenceMode difference_mode = DifferenceMode::absolute;
   Image<float> difference_values;  ///< what the difference shows of each pixel
   DifferenceNumbers difference_numbers;
