@@ -36,8 +36,11 @@ Option accelerator_row() {
   Option option = choice<&Settings::accelerator>(
       {.key = "accelerator",
        .label = "Accelerator",
-       .help = {"The data structure that saves intersection tests.", "CGFS ch. 5",
-                "Only speed changes: all pictures are the same to the last bit, except for Embree's own arithmetic."},
+       .help =
+           {"The data structure that saves intersection tests.", "CGFS ch. 5",
+            "Only speed changes. With the watertight triangle test all pictures are the same to the last bit, except "
+            "for Embree's own arithmetic. The others may hit a stretched triangle outside of its box, by rounding: "
+            "what looks into the box finds less than testing everything."},
        .keywords = "BVH, octree, bounding box, kd-tree, spatial index, hierarchy, speed, Embree",
        .truth = as_set(),
        .acts_for = ActsFor::rays,
