@@ -1,7 +1,9 @@
 #include "raytrace/embree_triangles.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <cmath>
 #include <mutex>
 
 #include "base/check.h"
@@ -156,10 +158,11 @@ void EmbreeTriangles::search(const Ray<float>& ray, float limit, bool any, const
   context.primitives = content_->primitives.data();
   context.data = visitor.data;
   context.visit = visitor.visit;
-  // Embree takes numbers up to 1.8e18.
-  constexpr float largest = 1e18f;
+  // Embree takes numbers up to 1.8e18, and directions whose components are above 1e-18.
+  constexpr float largest = 1e18f, smallest = 0x1p-40f;
   if (!(largest_component(ray.origin) < largest)) return;
-  context.scale = largest_component(ray.direction) < largest ? 1.0f : 0x1p-80f;
+  const float length = largest_component(ray.direction);
+  context.scale = length >= largest ? 0x1p-80f : length < smallest ? 0x1p80f : 1.0f;
   constexpr float slack = 1e-5f;  // t comes from other arithmetic; the visitor knows the true range
   RTCRayHit query{};
   query.ray.org_x = ray.origin.x;
@@ -174,10 +177,26 @@ void EmbreeTriangles::search(const Ray<float>& ray, float limit, bool any, const
   query.ray.mask = 0xffffffffu;
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  if (any)
-    embree::any(content_->scene, context.embree, query.ray);
-  else
-    embree::nearest(content_->scene, context.embree, query);
+  // Embree takes a component near 0 for 1e-18 where it tests boxes: a ray in the plane of a box's upper face leaves it
+  // at t = 0. With the other sign it is in, but out of what lies above. So all signs are searched with.
+  constexpr float nearly_zero = 1e-18f;
+  struct Vanishing {
+    float* component;
+    float value;
+  };
+  std::array<Vanishing, 3> vanishing{};
+  std::size_t count = 0;
+  for (float* component : {&query.ray.dir_x, &query.ray.dir_y, &query.ray.dir_z})
+    if (std::abs(*component) < nearly_zero) vanishing[count++] = {component, *component};
+  for (std::size_t signs = 0; signs < std::size_t{1} << count; ++signs) {
+    for (std::size_t k = 0; k < count; ++k)
+      *vanishing[k].component = (signs >> k & 1) != 0 ? -nearly_zero : vanishing[k].value;
+    if (any)
+      embree::any(content_->scene, context.embree, query.ray);
+    else
+      embree::nearest(content_->scene, context.embree, query);
+    if (query.ray.tfar < 0) return;  // Embree's word for a hit where any will do
+  }
 }
 
 #else
