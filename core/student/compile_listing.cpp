@@ -7,6 +7,7 @@
 #include "base/foreign_text.h"
 #include "base/read_file.h"
 #include "student/find_program.h"
+#include "student/last_words.h"
 #include "student/listing_kit.h"
 
 namespace ps {
@@ -45,8 +46,6 @@ std::vector<std::filesystem::path> folders_of_compiler(const std::filesystem::pa
   return {place};
 }
 
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
-
 std::string why_no_program(const Launched& launched, const CompileOptions& options,
                            const std::vector<CompilerMessage>& messages) {
   switch (launched.end) {
@@ -70,7 +69,9 @@ std::string why_no_program(const Launched& launched, const CompileOptions& optio
   if (launched.status == 0) return {};
   for (const CompilerMessage& message : messages)
     if (message.kind == MessageKind::error) return "It does not compile.";
-  return fmt::format("The compiler failed: {}", first_line(launched.text));
+  const std::string words = last_words(launched.text);
+  return words.empty() ? fmt::format("The compiler failed without a word, with exit status {}.", launched.status)
+                       : fmt::format("The compiler failed: {}", words);
 }
 
 }  // namespace

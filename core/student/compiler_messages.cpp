@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "base/number_text.h"
 #include "student/compile_listing.h"
 #include "textbook/listing_source.h"
@@ -13,9 +15,9 @@ struct MessageWord {
   std::string_view word;
   MessageKind kind;
 };
-constexpr MessageWord message_words[] = {{"fatal error: ", MessageKind::error},
-                                         {"error: ", MessageKind::error},
-                                         {"warning: ", MessageKind::warning},
+constexpr MessageWord message_words[] = {{"fatal error: ", MessageKind::error}, {"error: ", MessageKind::error},
+                                         {"Fatal error: ", MessageKind::error},  // of the assembler
+                                         {"Error: ", MessageKind::error},       {"warning: ", MessageKind::warning},
                                          {"note: ", MessageKind::note}};
 
 /// Reads a number and the colon behind it off the front.
@@ -44,17 +46,23 @@ bool read_message(std::string_view line, CompilerMessage& message) {
     const std::size_t at = line.find(word);
     if (at == std::string_view::npos || (in_file && at > 1)) continue;
     message.kind = kind;
-    message.text = shortened(in_file ? line.substr(at + word.size()) : line);
+    const std::string_view words = line.substr(at + word.size());
+    if (in_file)
+      message.text = shortened(words);
+    else if (line.substr(0, at).find(".s:") != std::string_view::npos)  // in a file that nobody sees
+      message.text = "assembler: " + shortened(words);
+    else
+      message.text = shortened(line);
     return true;
   }
   return false;
 }
 
-/// The linker's message for a name that is not defined.
+/// The linker's message for a name that is not defined, or defined twice.
 bool read_linker_message(std::string_view line, CompilerMessage& message) {
-  const std::size_t at = line.find("undefined reference to ");
+  const std::size_t at = std::min(line.find("undefined reference to "), line.find("multiple definition of "));
   if (at == std::string_view::npos) return false;
-  message = {MessageKind::error, 0, 0, shortened(line.substr(at))};
+  message = {MessageKind::error, 0, 0, shortened(line.substr(at, line.find(';', at) - at))};
   if (line.find("draw_listing(") != std::string_view::npos)
     message.text = "There is no routine void draw_listing(const BookScene& scene, BookCanvas& canvas) in namespace ps.";
   return true;

@@ -10,10 +10,12 @@
 #include <cmath>
 
 #include "base/descendants.h"
+#include "base/foreign_text.h"
 #include "base/number_text.h"
 #include "base/resources.h"
 #include "base/timer.h"
 #include "student/descriptors.h"
+#include "student/last_words.h"
 
 namespace ps {
 namespace {
@@ -137,9 +139,13 @@ void read_verdict(const std::string& line, const Launch& what, Launched& launche
   else if (word == "files")
     launched.end = LaunchEnd::files;
   else if (word == "failed")
-    throw InputError(fmt::format("{} cannot be started: {}", what.command[0], std::strerror(number)));
-  else
-    throw InputError(fmt::format("{} ended without a word", launcher_program().string()));
+    throw InputError(fmt::format("{} cannot be started: {}{}", what.command[0], std::strerror(number),
+                                 number == EACCES ? "; may programs start in its folder? TMPDIR names another" : ""));
+  else {
+    const std::string words = last_words(foreign_text(launched.text));
+    throw InputError(fmt::format("{} ended {}", launcher_program().string(),
+                                 words.empty() ? "without a word" : "with the words: " + words));
+  }
 }
 
 /// All that comes from the program until it has ended or has written too much.

@@ -6,6 +6,7 @@
 #include "base/atomic_file.h"
 #include "base/check.h"
 #include "base/foreign_text.h"
+#include "student/last_words.h"
 
 namespace ps {
 namespace {
@@ -34,22 +35,17 @@ std::string crash_text(int number) {
   }
 }
 
-std::string last_line_of(const std::string& text) {
-  const std::size_t end = text.find_last_not_of('\n');
-  if (end == std::string::npos) return {};
-  const std::size_t begin = text.rfind('\n', end);
-  return text.substr(begin == std::string::npos ? 0 : begin + 1,
-                     end - (begin == std::string::npos ? 0 : begin + 1) + 1);
-}
-
 /// Why it did not come to its end; empty if it did.
 std::string why_it_failed(const Launched& launched, const LaunchLimits& limits) {
   switch (launched.end) {
   case LaunchEnd::exited:
     if (launched.status == no_memory)
       return fmt::format("It asked for more than {} of memory.", size_text(limits.memory));
-    if (launched.status == threw) return fmt::format("It threw an exception: {}", last_line_of(launched.text));
-    return launched.status == 0 ? "" : fmt::format("It ended early, with exit status {}.", launched.status);
+    if (launched.status == threw) return fmt::format("It threw an exception: {}", last_words(launched.text));
+    if (launched.status == 0) return "";
+    if (const std::string words = last_words(launched.text); words.starts_with("bwrap: "))
+      return fmt::format("It could not be started: {}", words);
+    return fmt::format("It ended early, with exit status {}.", launched.status);
   case LaunchEnd::signalled:
     return crash_text(launched.status);
   case LaunchEnd::processor_time:

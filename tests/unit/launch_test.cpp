@@ -208,5 +208,20 @@ TEST(Launch, AProgramThatIsNotThereIsAMessage) {
   }
 }
 
+// As everything is that lies in a folder mounted with `noexec`.
+TEST(Launch, AFileThatIsNoProgramIsAMessage) {
+  const test::ScratchFolder folder;
+  try {
+    launch({.command = {folder.write("text", "#")},
+            .environment = {},
+            .folder = "/",
+            .input = {},
+            .limits = short_limits()});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("TMPDIR names another"), std::string::npos) << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace launch_test

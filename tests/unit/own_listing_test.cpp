@@ -4,12 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "base/read_file.h"
 #include "engine/lesson.h"
 #include "student/check_listing.h"
+#include "student/last_words.h"
 #include "support/own_listings.h"
+#include "support/run_cli.h"
 
 namespace own_listing_test {
 namespace {
@@ -29,6 +32,17 @@ TEST(OwnListing, ACopyNeverTakesTheNameOfAnother) {
   const auto second = own.permits().copy(listing_in(spheres));
   EXPECT_EQ(second.file().filename(), spheres + "_2.cpp");
   EXPECT_EQ(read_whole_file(first.file()), "changed");
+}
+
+// A limit on the size of files fails in the middle of the text, as a full disk does.
+TEST(OwnListing, ACopyThatDoesNotFitLeavesNothing) {
+  const test::ScratchFolder folder;
+  const std::string command = "trap '' XFSZ; ulimit -f 1; XDG_DATA_HOME=" + folder.path().string() +
+                              " exec " PIXELSCOPE_BIN_DIR "/pixelscope-cli listing copy " + spheres +
+                              " >/dev/null 2>&1";
+  const int ended = std::system(("bash -c \"" + command + "\"").c_str());
+  EXPECT_EQ(WEXITSTATUS(ended), 2);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path() / "pixelscope" / "listings"));
 }
 
 TEST(OwnListing, ItIncludesOneHeaderOfOurs) {
@@ -101,6 +115,37 @@ TEST(OwnListing, WhatBothCompilersAndLinkersSayIsRead) {
   EXPECT_EQ(messages[1].kind, MessageKind::warning);
   EXPECT_EQ(messages[2].line, 9);
   EXPECT_EQ(messages[3].text.substr(0, 21), "There is no routine v");
+}
+
+TEST(OwnListing, WhatAssemblerAndLinkerSayIsShown) {
+  OwnListings own;
+  const auto said = [&](const std::string& source) {
+    const Compilation compiled = own.compile(source);
+    EXPECT_FALSE(compiled.program);
+    return compiled.messages.empty() ? compiled.failure : compiled.messages[0].text;
+  };
+  EXPECT_EQ(said("asm(\"jabberwock bar\");").substr(0, 11), "assembler: ");
+  EXPECT_NE(said("asm(\"jabberwock bar\");").find("jabberwock"), std::string::npos);
+  EXPECT_EQ(said(listing_copy(listing_in(spheres)) + "int main() {}\n"), "multiple definition of `main'");
+}
+
+// Neither g++ nor its parts have a word beside the file's name where memory ends: the line that says so is not the
+// first.
+TEST(OwnListing, ACompilerThatDiesLeavesTheLineThatSaysWhy) {
+  EXPECT_EQ(last_words("\ncc1plus: out of memory allocating 65536 bytes after a total of 88 bytes\n"),
+            "cc1plus: out of memory allocating 65536 bytes after a total of 88 bytes");
+  EXPECT_EQ(last_words("In file included from listing.cpp:1:\ng++: cannot execute 'cc1plus': Permission denied\n"
+                       "compilation terminated.\n"),
+            "g++: cannot execute 'cc1plus': Permission denied");
+  EXPECT_EQ(last_words("bwrap: execvp /tmp/p: Permission denied"), "bwrap: execvp /tmp/p: Permission denied");
+  EXPECT_EQ(last_words("collect2: error: ld returned 1 exit status\n \n"),
+            "collect2: error: ld returned 1 exit status");
+  EXPECT_EQ(last_words("\n \n"), "");
+  OwnListings own;
+  const Compilation compiled = own.compile("asm(\".rept 1000000000\\n.quad 1\\n.endr\");");
+  EXPECT_FALSE(compiled.program);
+  EXPECT_NE(compiled.failure, "The compiler failed: ");
+  EXPECT_FALSE(compiled.failure.empty());
 }
 
 TEST(OwnListing, WithoutACompilerItSaysSo) {
