@@ -16,12 +16,12 @@
 #include "base/standard_output.h"
 #include "base/version.h"
 #include "cli/command.h"
+#include "cli/interrupt.h"
 
 namespace {
 
 constexpr int check_failed = 1;
 constexpr int bad_input = 2;
-constexpr int interrupted = 130;
 
 /// One line on standard error, whatever the message, and not all of a long one.
 int fail(std::string message, int status) {
@@ -54,7 +54,8 @@ int act(const ps::cli::Action& action) {
   try {
     return action();
   } catch (const ps::Cancelled&) {
-    return fail("stopped", interrupted);
+    ps::cli::say_stopped();
+    return ps::cli::interrupted;
   } catch (const std::system_error& error) {
     if (std::ferror(stdout) != 0) return fail(ps::unprinted_text(error.code().value()), bad_input);
     return fail(ps::failure_text(error), bad_input);

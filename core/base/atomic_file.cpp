@@ -19,6 +19,7 @@
 
 #include "base/check.h"
 #include "base/output_target.h"
+#include "base/temporary_files.h"
 
 namespace ps {
 namespace {
@@ -47,6 +48,9 @@ class OpenFile {
   int descriptor_;
 };
 
+std::atomic<int> temporary_files{0};
+static_assert(std::atomic<int>::is_always_lock_free, "signal handlers read it");
+
 /// A new file beside the one that it is to replace; removed at the end of the scope unless it took the other's name.
 class TemporaryFile {
  public:
@@ -54,6 +58,7 @@ class TemporaryFile {
   /// such as those of a process of the same number in another container, are passed over.
   TemporaryFile(const fs::path& folder, mode_t mode) {
     static std::atomic<unsigned> counter{0};
+    ++temporary_files;
     constexpr int most_tries = 1000;
     for (int tries = 0; tries < most_tries; ++tries) {
       path_ = folder / fmt::format(".pixelscope-{}-{}.tmp", getpid(), counter.fetch_add(1));
@@ -63,6 +68,7 @@ class TemporaryFile {
   }
   ~TemporaryFile() {
     if (descriptor_ >= 0 && !renamed_) unlink(path_.c_str());
+    --temporary_files;
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -185,6 +191,8 @@ void write_to_stream(const fs::path& path, int stream, std::string_view bytes) {
 }
 
 }  // namespace
+
+bool has_temporary_files() { return temporary_files > 0; }
 
 void write_file_atomically(const fs::path& path, std::string_view bytes, Durability durability) {
   const OutputTarget target = output_target(path);

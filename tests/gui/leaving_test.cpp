@@ -5,14 +5,12 @@
 #include <fstream>
 #include <string>
 
-#include "base/read_file.h"
-#include "base/resources.h"
 #include "gui/program.h"
 #include "gui/remembering_window.h"
-#include "support/environment.h"
 #include "support/golden.h"
 #include "support/option_contexts.h"
 #include "support/run_cli.h"
+#include "support/slow_shaders.h"
 
 namespace ps::gui::leaving_test {
 namespace {
@@ -28,24 +26,10 @@ TEST(Leaving, ADriverThatShowsNothingIsTakenWhereItIsNamed) {
 TEST(Leaving, DoesNotWaitForADriver) {
   if (!test::has_renderer("hardware")) GTEST_SKIP() << "this build has no hardware renderer";
   const auto folder = std::filesystem::absolute(fresh_output_folder("gui-leaving"));
+  const test::SlowShaders shaders;
   const test::ScratchFolder scratch;
-  const std::filesystem::path root = scratch.path() / "root";
-  std::filesystem::create_directories(root / "core/hardware");
-  std::filesystem::copy(shader_file(""), root / "core/hardware/shaders");
-  std::filesystem::create_directory_symlink(asset_dir(), root / "assets");
-  std::filesystem::create_directory_symlink(chapter_dir(), root / "chapters");
-  // A sum that doubles 25 times, which compilers take minutes for.
-  const auto file = root / "core/hardware/shaders/tints.glsl";
-  std::string text = "#define T0(x) (x + 1.0)\n";
-  for (int i = 1; i <= 25; ++i)
-    text += "#define T" + std::to_string(i) + "(x) (T" + std::to_string(i - 1) + "(x) * T" + std::to_string(i - 1) +
-            "(x))\n";
-  text += "float endless(float x) { return T25(x); }\n";
-  const std::string before = read_whole_file(file);
-  std::ofstream(file) << before << text;
   const std::string script =
       scratch.write("s.script", "wait idle\nset renderer=hardware\nwait 1500\nset shading=flat\nwait frames 3\nquit\n");
-  const test::Variable variable("PIXELSCOPE_ROOT", root.string());
   const auto result = test::run_window("cgfs/shading --size 64x64 --script " + script,
                                        "timeout 40 env XDG_STATE_HOME=" + folder.string());
   EXPECT_EQ(result.status, 0) << result.errors;

@@ -1,18 +1,14 @@
 // Signals end the command line while it builds a data structure, not only between tiles of a picture.
 #include <gtest/gtest.h>
 
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <csignal>
-#include <fstream>
 #include <sstream>
 #include <string>
-#include <thread>
 
 #include "base/atomic_file.h"
+#include "support/child_process.h"
 #include "support/emulated.h"
 #include "support/run_cli.h"
 #include "support/trials.h"
@@ -21,8 +17,11 @@ namespace ps {
 namespace cli_signal_test {
 namespace {
 
-using namespace std::chrono_literals;
+using test::Ended;
 using test::ScratchFolder;
+using test::wait_for_end;
+using test::wait_for_work;
+using test::Work;
 
 /// Its octree takes seconds to build: almost coincident teapots, 64 entries for each triangle.
 std::string teapots_in_one_place() {
@@ -32,66 +31,19 @@ std::string teapots_in_one_place() {
   return text.str();
 }
 
-struct Work {
-  bool goes_on = false;  ///< the process has not ended
-  double seconds = 0;    ///< of all processors that it has used so far
-};
-
-Work work_of(pid_t process) {
-  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
-  std::string text;
-  std::getline(file, text);
-  const auto name_end = text.rfind(')');
-  if (name_end == std::string::npos) return {};
-  std::istringstream fields(text.substr(name_end + 1));
-  std::string state, skipped;
-  fields >> state;
-  for (int i = 0; i < 10; ++i) fields >> skipped;
-  double user = 0, system = 0;
-  fields >> user >> system;
-  return {state != "Z", (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK))};
-}
-
-/// Waits until the process has used so much, or has ended.
-Work wait_for_work(pid_t process, double seconds) {
-  Work work = work_of(process);
-  for (int i = 0; i < 60000 && work.goes_on && work.seconds < seconds; ++i) {
-    std::this_thread::sleep_for(2ms);
-    work = work_of(process);
-  }
-  return work;
-}
-
-double seconds(const timeval& time) {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-}
-
-struct Ended {
-  int status = -1;  ///< as waitpid() gives it
-  bool in_time = false;
-  double seconds = 0;  ///< of processors, all its life
-};
-
-/// Waits for the end of a process, and makes it end after two minutes.
-Ended wait_for_end(pid_t process) {
-  Ended ended;
-  rusage used{};
-  for (int i = 0; i < 12000 && !ended.in_time; ++i) {
-    ended.in_time = wait4(process, &ended.status, WNOHANG, &used) == process;
-    if (!ended.in_time) std::this_thread::sleep_for(10ms);
-  }
-  if (!ended.in_time) {
-    kill(process, SIGKILL);
-    wait4(process, &ended.status, 0, &used);
-  }
-  ended.seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
-  return ended;
+/// What does not listen is ended a second after the signal; not so in this process and what it becomes.
+void hold_back_the_alarm() {
+  sigset_t alarm_alone;
+  sigemptyset(&alarm_alone);
+  sigaddset(&alarm_alone, SIGALRM);
+  sigprocmask(SIG_BLOCK, &alarm_alone, nullptr);
 }
 
 pid_t start_render(const ScratchFolder& folder, const std::string& messages) {
   const std::string scene = folder.file("teapots.scene"), picture = folder.file("picture.png");
   const pid_t process = fork();
   if (process != 0) return process;
+  hold_back_the_alarm();
   if (std::freopen(messages.c_str(), "w", stderr) == nullptr) _exit(126);
   execl(PIXELSCOPE_BIN_DIR "/pixelscope-cli", "pixelscope-cli", "render", scene.c_str(), "--size", "8x8", "--set",
         "accelerator=octree", "--set", "octree-leaf=1", "--set", "octree-depth=16", "--out", picture.c_str(), nullptr);
