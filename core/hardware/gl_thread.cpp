@@ -1,5 +1,6 @@
 #include "hardware/gl_thread.h"
 
+#include <atomic>
 #include <utility>
 #include <vector>
 
@@ -15,7 +16,9 @@ class GlThread {
  public:
   GlThread() {
     thread_.run([&] { open(); });
+    started_ = true;
   }
+  static bool started() { return started_; }
   static GlThread& get() {
     static GlThread& thread = *new GlThread;  // never deleted, see above
     return thread;
@@ -39,6 +42,7 @@ class GlThread {
   }
 
  private:
+  static inline std::atomic<bool> started_{false};
   struct Lost {
     std::unique_ptr<Context> context;
     std::unique_ptr<Workshop> workshop;
@@ -65,6 +69,8 @@ class GlThread {
 }  // namespace
 
 const Availability& availability() { return GlThread::get().available(); }
+
+bool driver_is_known() { return GlThread::started(); }
 
 void on_gl_thread(const std::function<void(Workshop&)>& task) { GlThread::get().run(task); }
 

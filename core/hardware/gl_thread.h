@@ -28,6 +28,8 @@ struct Availability {
 
 /// The driver of this machine. The first call starts it.
 const Availability& availability();
+/// Whether availability() was called, and answers at once.
+bool driver_is_known();
 
 /// A program and what it is made from.
 struct KeptProgram {

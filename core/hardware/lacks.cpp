@@ -17,12 +17,12 @@ bool is_one_of(OptionNumber value) {
 constexpr std::string_view own_coverage = "the driver has its own coverage test";
 constexpr std::string_view no_samples = "the driver does not offer this number of samples per pixel";
 
-/// Which numbers of samples there are, the driver knows.
+/// Which numbers of samples there are, the driver knows. It is not started for that.
 bool lacks_samples(OptionNumber value) {
   Settings settings;
   settings.multisampling = static_cast<int>(value);
   const int samples = sample_count(settings);
-  if (samples == 1 || !availability().driver) return false;
+  if (samples == 1 || !driver_is_known() || !availability().driver) return false;
   const std::vector<int>& offered = availability().driver->samples;
   return std::find(offered.begin(), offered.end(), samples) == offered.end();
 }

@@ -57,6 +57,8 @@ RendererKind hardware_renderer_kind() {
           .inactive = why_unavailable};
 }
 
+bool hardware_driver_is_known() { return hardware::driver_is_known(); }
+
 RendererRow hardware_renderer_row() {
   return {.render = hardware::render_hardware,
           .inspect = hardware::inspect_hardware,

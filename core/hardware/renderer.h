@@ -9,4 +9,7 @@ namespace ps {
 RendererKind hardware_renderer_kind();
 RendererRow hardware_renderer_row();
 
+/// Whether the driver was started, so that RendererKind::inactive answers at once. For add_slow_start().
+bool hardware_driver_is_known();
+
 }  // namespace ps

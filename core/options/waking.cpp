@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include "options/listing.h"
@@ -17,8 +18,14 @@ enum class Listings { as_set, any };
 
 using Steps = std::vector<OptionValue>;
 
+std::map<Renderer, bool (*)()>& slow_starts() {
+  static std::map<Renderer, bool (*)()> all;
+  return all;
+}
+
 std::optional<IdleReason> reason_of(const Option& option, const Settings& settings, const SceneTraits& traits) {
   if (const auto reason = inactive_reason(option, settings, traits)) return reason;
+  if (option.key == "renderer" && !has_started(settings.renderer)) return {};
   return inactive_value_reason(option, settings, traits);
 }
 
@@ -131,6 +138,13 @@ Steps without_needless(Steps steps, const Option& option, const Settings& settin
 }
 
 }  // namespace
+
+void add_slow_start(Renderer renderer, bool (*known)()) { slow_starts()[renderer] = known; }
+
+bool has_started(Renderer renderer) {
+  const auto found = slow_starts().find(renderer);
+  return found == slow_starts().end() || found->second();
+}
 
 Waking waking_of(const Option& option, const Settings& settings, const SceneTraits& traits) {
   const auto reason = reason_of(option, settings, traits);

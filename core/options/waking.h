@@ -23,6 +23,12 @@ struct Waking {
   std::string reason;
 };
 
+/// Says of a renderer that it starts something, such as a driver, to find out why it cannot draw. Until known() answers
+/// true, suggestions take it for one that can. For the `main` of a program, after add_renderer().
+void add_slow_start(Renderer renderer, bool (*known)());
+/// Whether it is known why the renderer cannot draw, or that it can.
+bool has_started(Renderer renderer);
+
 /// Follows the reasons of an inactive option, or of the choice that is set, to what makes it act: as few settings as
 /// possible, and of equally few those that the reasons name first. Empty in all parts for an option that acts.
 Waking waking_of(const Option& option, const Settings& settings, const SceneTraits& traits);

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "base/check.h"
 #include "document/number_list.h"
 #include "document/permalink.h"
 #include "options/option.h"
+#include "options/waking.h"
 #include "scene/edit.h"
 
 namespace ps::gui {
@@ -115,6 +117,17 @@ std::optional<std::string> property_value(const Session& session, std::string_vi
   }
 }
 
+/// Whether a renderer's driver, if it has one, was started.
+std::optional<std::string> started_value(std::string_view renderer) {
+  Settings settings;
+  try {
+    parse_assignment(fmt::format("renderer={}", renderer), settings);
+  } catch (const InputError&) {
+    return {};
+  }
+  return has_started(settings.renderer) ? "yes" : "no";
+}
+
 void offer_history(Values& out, Session& session) {
   out.offer("undo", [&session] { return session.undo_label(); });
   out.offer("redo", [&session] { return session.redo_label(); });
@@ -133,6 +146,7 @@ void offer_session_values(Values& out, Session& session) {
   out.offer_below("camera/", [&session](std::string_view name) { return camera_value(session, name); });
   out.offer_below("light/", [&session](std::string_view name) { return light_value(session, name); });
   out.offer_below("property/", [&session](std::string_view path) { return property_value(session, path); });
+  out.offer_below("started/", started_value);
   offer_history(out, session);
   out.offer("scene", [&session] { return session.document().scene_name; });
   out.offer("loading", [&session] { return session.loading() ? session.loading_name() : std::string("none"); });
