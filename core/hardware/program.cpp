@@ -14,17 +14,10 @@ namespace {
 /// A shader object; the program keeps what it needs of it.
 class Shader {
  public:
-  Shader(GLenum kind, const ShaderText& shader) : id_(glCreateShader(kind)) {
-    const char* text = shader.text.c_str();
-    glShaderSource(id_, 1, &text, nullptr);
-    glCompileShader(id_);
-    GLint compiled = 0;
-    glGetShaderiv(id_, GL_COMPILE_STATUS, &compiled);
-    if (compiled) return;
-    std::vector<char> log(4096);
-    glGetShaderInfoLog(id_, static_cast<GLsizei>(log.size()), nullptr, log.data());
-    glDeleteShader(id_);
-    throw InputError(fmt::format("a shader does not compile: {}", compiler_words(shader, log.data())));
+  Shader(GLenum kind, const ShaderText& shader) : Shader(kind, shader.text) {
+    if (compiles()) return;
+    const Shader numbered(kind, with_numbered_files(shader));
+    throw InputError(fmt::format("a shader does not compile: {}", compiler_words(shader, numbered.log())));
   }
   ~Shader() { glDeleteShader(id_); }
   Shader(const Shader&) = delete;
@@ -32,6 +25,22 @@ class Shader {
   GLuint id() const { return id_; }
 
  private:
+  Shader(GLenum kind, const std::string& text) : id_(glCreateShader(kind)) {
+    const char* all = text.c_str();
+    glShaderSource(id_, 1, &all, nullptr);
+    glCompileShader(id_);
+  }
+  bool compiles() const {
+    GLint compiled = 0;
+    glGetShaderiv(id_, GL_COMPILE_STATUS, &compiled);
+    return compiled != 0;
+  }
+  std::string log() const {
+    std::vector<char> words(4096);
+    glGetShaderInfoLog(id_, static_cast<GLsizei>(words.size()), nullptr, words.data());
+    return words.data();
+  }
+
   GLuint id_;
 };
 

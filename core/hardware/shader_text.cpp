@@ -68,6 +68,8 @@ void add_file(ShaderFiles& files, const std::string& name, std::vector<std::stri
   open.pop_back();
 }
 
+constexpr int lines_of_a_file = 100'000;  // in a text with numbered files; those below are of none
+
 /// Takes this word off the front of a text, if it is there.
 bool skip(std::string_view& text, std::string_view word) {
   if (!text.starts_with(word)) return false;
@@ -90,21 +92,35 @@ ShaderText shader_text(ShaderFiles& files, std::string_view file, ShaderStage st
   return shader;
 }
 
-// Mesa writes "2:15(7): error: ...", NVIDIA "2(15) : error ...", others "ERROR: 2:15: ...".
+std::string with_numbered_files(const ShaderText& shader) {
+  constexpr std::string_view directive = "#line ";
+  std::istringstream lines(shader.text);
+  std::string numbered;
+  for (std::string line; std::getline(lines, line); numbered += line + "\n") {
+    std::string_view place = line;
+    if (!skip(place, directive)) continue;
+    const int row = take_integer<int>(place).value_or(0);
+    skip(place, " ");
+    const int file = take_integer<int>(place).value_or(0);
+    line = fmt::format("{}{}", directive, (file + 1) * lines_of_a_file + row);
+  }
+  return numbered;
+}
+
+// Mesa writes "0:200015(7): error: ...", NVIDIA "0(200015) : error ...", others "ERROR: 0:200015: ...".
 std::string compiler_words(const ShaderText& shader, std::string_view log) {
   const std::string_view line = log.substr(0, log.find('\n'));
   std::string_view rest = line;
   const bool error_first = skip(rest, "ERROR: ");
-  const std::optional<std::size_t> file = take_integer<std::size_t>(rest);
-  if (!file || *file >= shader.files.size()) return std::string(line);
+  if (!take_integer<int>(rest)) return std::string(line);
   const bool bracket = skip(rest, "(");
   if (!bracket && !skip(rest, ":")) return std::string(line);
-  const std::optional<std::size_t> number = take_integer<std::size_t>(rest);
-  if (!number) return std::string(line);
+  const std::size_t number = take_integer<std::size_t>(rest).value_or(0), file = number / lines_of_a_file;
+  if (file == 0 || file > shader.files.size()) return std::string(line);
   if (bracket && skip(rest, ")")) skip(rest, " ");
   std::string what(rest);
   if (error_first && rest.starts_with(": ")) what.insert(2, "error: ");
-  return fmt::format("{}:{}{}", shader.files[*file], *number, what);
+  return fmt::format("{}:{}{}", shader.files[file - 1], number % lines_of_a_file, what);
 }
 
 }  // namespace ps::hardware

@@ -14,8 +14,13 @@ namespace ps::hardware {
 ShaderText shader_text(ShaderFiles& files, std::string_view file, ShaderStage stage, Api api,
                        std::string_view definitions);
 
-/// What a driver says of a text that it does not compile, first line. Its place is "lighting.glsl:15", however the
-/// driver writes it, with a column behind it where the driver gives one: "lighting.glsl:15(7): error: ...".
+/// The text with lines whose numbers tell the file: Mesa forgets the number of the file that `#line` gives once it has
+/// parsed, and then reports every mistake as one of file 0.
+std::string with_numbered_files(const ShaderText& shader);
+
+/// What a driver says of a text with numbered files that it does not compile, first line. Its place is
+/// "lighting.glsl:15", however the driver writes it, with a column behind it where the driver gives one:
+/// "lighting.glsl:15(7): error: ...".
 std::string compiler_words(const ShaderText& shader, std::string_view log);
 
 }  // namespace ps::hardware

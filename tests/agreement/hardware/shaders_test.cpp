@@ -1,18 +1,25 @@
 // Every shader compiles as GLSL 3.30 and as GLSL ES 3.00, in all the variants that options and scenes ask for.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <filesystem>
 #include <map>
 #include <set>
 
 #include "agreement/hardware/hardware_pair.h"
+#include "base/atomic_file.h"
 #include "base/check.h"
+#include "base/read_file.h"
+#include "base/resources.h"
 #include "hardware/definitions.h"
 #include "hardware/gl_thread.h"
 #include "hardware/lacks.h"
 #include "hardware/shader_text.h"
 #include "options/scene_settings.h"
 #include "scene/load.h"
+#include "support/environment.h"
+#include "support/run_cli.h"
 
 namespace ps {
 namespace {
@@ -110,10 +117,11 @@ TEST(HardwareShaders, WordsOfAnyDriverNameFileAndLineAlike) {
   const ShaderText shader{"", {"fragment.glsl", "limits.glsl", "lighting.glsl"}};
   const auto words = [&](std::string_view log) { return hardware::compiler_words(shader, log); };
   // Mesa, NVIDIA, and as in the reference compiler.
-  EXPECT_EQ(words("2:15(7): error: syntax error\nmore"), "lighting.glsl:15(7): error: syntax error");
-  EXPECT_EQ(words("0(151) : error C0000: syntax error"), "fragment.glsl:151: error C0000: syntax error");
-  EXPECT_EQ(words("ERROR: 1:8: '' : syntax error"), "limits.glsl:8: error: '' : syntax error");
-  for (const char* other : {"out of memory", "7:15(7): error: no such file", "2", "2:x", "ERROR: none", ""})
+  EXPECT_EQ(words("0:300015(7): error: syntax error\nmore"), "lighting.glsl:15(7): error: syntax error");
+  EXPECT_EQ(words("0(100151) : error C0000: syntax error"), "fragment.glsl:151: error C0000: syntax error");
+  EXPECT_EQ(words("ERROR: 0:200008: '' : syntax error"), "limits.glsl:8: error: '' : syntax error");
+  for (const char* other : {"out of memory", "0:400001(7): error: no such file", "0:15(7): error: in no file", "2",
+                            "0:x", "ERROR: none", ""})
     EXPECT_EQ(words(other), other);
 }
 
@@ -131,6 +139,43 @@ TEST(HardwareShaders, AMistakeIsReportedWithFileAndLine) {
       EXPECT_NE(std::string(error.what()).find("vertex.glsl:52"), std::string::npos) << error.what();
     }
   });
+}
+
+/// What the driver says of the picture's programs, with the first of these definitions under which one of them does not
+/// compile.
+std::string refusal(const std::set<std::string>& definitions) {
+  std::string words;
+  hardware::on_gl_thread([&](hardware::Workshop& shop) {
+    try {
+      for (const std::string& each : definitions)
+        const hardware::Program program("vertex.glsl", "fragment.glsl", shop.context.api(), each);
+    } catch (const InputError& error) {
+      words = error.what();
+    }
+  });
+  return words;
+}
+
+// A name that is not declared is found after parsing, where Mesa knows the line alone and not the number of the file.
+TEST(HardwareShaders, AMistakeInAnIncludedFileIsReportedThere) {
+  PS_NEEDS_HARDWARE(hardware);
+  const std::set<std::string> definitions = all_definitions(hardware);
+  const test::ScratchFolder scratch;
+  const std::filesystem::path folder = scratch.path() / "core/hardware/shaders", whole = shader_file("");
+  std::filesystem::create_directories(folder);
+  std::filesystem::copy(whole, folder);
+  const test::Variable root("PIXELSCOPE_ROOT", scratch.path().string());
+  for (const char* name : {"tints.glsl", "lighting.glsl", "carried.glsl", "texturing.glsl", "power.glsl",
+                           "fragment.glsl", "vertex.glsl"}) {
+    const std::string text = read_whole_file(whole / name);
+    const auto row = std::count(text.begin(), text.end(), '\n') + 1;
+    write_file_atomically(folder / name, text + "float mistaken() { return undeclared; }\n");
+    const std::string place = std::string(name) + ":" + std::to_string(row);
+    EXPECT_NE(refusal(definitions).find("a shader does not compile: " + place), std::string::npos)
+        << place << ": " << refusal(definitions);
+    write_file_atomically(folder / name, text);
+  }
+  EXPECT_EQ(refusal(definitions), "");
 }
 
 }  // namespace
