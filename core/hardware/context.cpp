@@ -7,6 +7,7 @@
 #include <functional>
 #include <vector>
 
+#include "base/available_memory.h"
 #include "base/check.h"
 
 namespace ps::hardware {
@@ -151,6 +152,9 @@ Context::Context(Api api) : api_(api), handles_(std::make_unique<Handles>()) {
     if (failure != "no driver") reason = failure;  // what is nearest to working is the better reason
     if (context != EGL_NO_CONTEXT) eglDestroyContext(way.display, context);
   }
+  constexpr std::uint64_t plenty = 1u << 30;
+  if (const auto left = available_memory(); reason == "no driver" && left && *left < plenty)
+    reason += fmt::format(" starts in the {} MB of memory that are left", *left >> 20);
   throw InputError(fmt::format("no OpenGL: {}", reason));
 }
 

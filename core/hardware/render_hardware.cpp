@@ -25,6 +25,13 @@ const Driver& require_driver(const View& view) {
   if (std::max(view.width, view.height) > driver.max_size)
     throw InputError(fmt::format("a picture of {} x {} pixels: this graphics driver draws at most {} along a side",
                                  view.width, view.height, driver.max_size));
+  // Whether there is room for a large one is better known before all else is made.
+  constexpr std::int64_t large = 1 << 24;
+  if (static_cast<std::int64_t>(view.width) * view.height >= large)
+    on_gl_thread([&](Workshop& shop) {
+      if (!shop.target || shop.target->shape().width != view.width || shop.target->shape().height != view.height)
+        const Target trial({.width = view.width, .height = view.height});
+    });
   return driver;
 }
 

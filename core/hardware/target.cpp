@@ -80,9 +80,14 @@ void Target::make(Pictures& pictures, int samples) const {
   if (samples == 1 || !attach_texture(pictures.depth_texture, depth_format(shape_), depth_place(shape_), samples))
     attach(pictures.depth, depth_format(shape_), depth_place(shape_));
   glDrawBuffers(static_cast<GLsizei>(count()), places.data());
+  // All drivers draw into pictures of these formats, so what is wrong is their size.
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    forget_errors();
+    throw InputError(fmt::format("a picture of {} x {} pixels: this graphics driver has no room to draw it; choose a "
+                                 "smaller size",
+                                 shape_.width, shape_.height));
+  }
   check_gl("making a picture to draw into");
-  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-    throw InputError("the graphics driver cannot draw into pictures of 32-bit floats");
 }
 
 // A shader can read single samples of a texture, and of no other buffer.

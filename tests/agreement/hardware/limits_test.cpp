@@ -7,6 +7,7 @@
 #include "agreement/hardware/hardware_pair.h"
 #include "base/check.h"
 #include "hardware/gl_thread.h"
+#include "hardware/render_hardware.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "render/render.h"
@@ -81,6 +82,21 @@ TEST(HardwareLimits, APictureLargerThanTheDriverDraws) {
   EXPECT_EQ(
       failure_of(load_scene("cgfs/shading"), most + 1, 1, hardware),
       fmt::format("a picture of {} x 1 pixels: this graphics driver draws at most {} along a side", most + 1, most));
+}
+
+// Before anything of the picture is made: a driver that refuses does so within no memory of ours.
+TEST(HardwareLimits, APictureThatTheDriverHasNoRoomFor) {
+  PS_NEEDS_HARDWARE(hardware);
+  const int most = hardware::availability().driver->max_size;
+  try {
+    hardware::require_driver(View{.camera = {}, .width = most, .height = most});
+    GTEST_SKIP() << "this driver has room for " << most << " x " << most << " pixels";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), fmt::format("a picture of {0} x {0} pixels: this graphics driver has no room to draw it; "
+                                        "choose a smaller size",
+                                        most));
+  }
+  EXPECT_EQ(failure_of(load_scene("cgfs/shading"), 40, 30, hardware), "");
 }
 
 /// A value that the driver lacks is inactive, and a picture of it is refused.
