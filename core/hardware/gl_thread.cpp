@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/check.h"
+#include "base/return_free_memory.h"
 #include "base/task_thread.h"
 
 namespace ps::hardware {
@@ -67,6 +68,20 @@ class GlThread {
 };
 
 }  // namespace
+
+void Workshop::tidy() {
+  meshes.tidy();
+  textures.tidy();
+  const std::size_t before = programs.size();
+  while (programs.size() > most_programs) {
+    const auto oldest = least_recent(programs);
+    if (oldest->second.used > last_picture) break;
+    programs.erase(oldest);
+  }
+  last_picture = clock;
+  // A driver that compiles for the processor leaves its heap in pieces.
+  if (programs.size() < before) return_free_memory();
+}
 
 const Availability& availability() { return GlThread::get().available(); }
 

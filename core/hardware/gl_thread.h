@@ -50,6 +50,7 @@ struct Workshop {
   ShaderFiles shaders;
   std::map<std::string, KeptProgram> programs;  ///< by their definitions
   std::uint64_t clock = 0;                      ///< counts uses of programs
+  std::uint64_t last_picture = 0;               ///< its value before that
   std::unique_ptr<Target> target;               ///< of the last picture
   std::unique_ptr<GeometryBuffer> geometry;     ///< of the last picture with deferred shading
   std::unique_ptr<Target> story_picture;        ///< the same of the last story of a pixel
@@ -60,15 +61,12 @@ struct Workshop {
   unsigned vertex_array = 0, lights = 0;
 
   const Driver& driver() const { return context.driver(); }
-  /// Between pictures this many are kept: a driver on the processor holds about a megabyte of machine code for each.
-  static constexpr std::size_t most_programs = 64;
+  /// Between pictures this many are kept, or all of the last picture: a driver on the processor holds about a megabyte
+  /// of machine code for each.
+  static constexpr std::size_t most_programs = 32;
   /// Drops meshes and textures that no scene holds any more, and the programs that were not used for the longest time.
   /// Before a picture.
-  void tidy() {
-    meshes.tidy();
-    textures.tidy();
-    while (programs.size() > most_programs) programs.erase(least_recent(programs));
-  }
+  void tidy();
   /// Drops the meshes and textures of all scenes. Before a picture.
   void forget_scenes() {
     meshes.clear();
