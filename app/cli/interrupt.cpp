@@ -39,7 +39,7 @@ extern "C" void stop_gently(int signal) {
 void say_stopped() {
   constexpr std::string_view words = "pixelscope-cli: stopped\n";
   if (said.exchange(true)) return;
-  if (write(STDERR_FILENO, words.data(), words.size()) < 0) return;  // nobody reads it
+  if (write(STDERR_FILENO, words.data(), words.size()) < 0) return;  // the reader has gone
 }
 
 void forward_interrupts(Progress& progress) {

@@ -49,7 +49,7 @@ bool read_message(std::string_view line, CompilerMessage& message) {
     const std::string_view words = line.substr(at + word.size());
     if (in_file)
       message.text = shortened(words);
-    else if (line.substr(0, at).find(".s:") != std::string_view::npos)  // in a file that nobody sees
+    else if (line.substr(0, at).find(".s:") != std::string_view::npos)  // in the compiler's own file
       message.text = "assembler: " + shortened(words);
     else
       message.text = shortened(line);

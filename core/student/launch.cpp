@@ -140,7 +140,7 @@ void read_verdict(const std::string& line, const Launch& what, Launched& launche
     launched.end = LaunchEnd::files;
   else if (word == "failed")
     throw InputError(fmt::format("{} cannot be started: {}{}", what.command[0], std::strerror(number),
-                                 number == EACCES ? "; may programs start in its folder? TMPDIR names another" : ""));
+                                 number == EACCES ? folder_hint : ""));
   else {
     const std::string words = last_words(foreign_text(launched.text));
     throw InputError(fmt::format("{} ended {}", launcher_program().string(),

@@ -2,11 +2,15 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/progress.h"
 
 namespace ps {
+
+/// A hint where the system does not let a program start: temporary folders may be mounted with `noexec`.
+inline constexpr std::string_view folder_hint = "; may programs start in its folder? TMPDIR names another";
 
 /// Limits of a program that is started, and of all that it starts. A program that exceeds one of them is ended, with
 /// everything that began below it. These limits stop mistakes. Without isolation, a program that means harm can leave

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <signal.h>
 
+#include <cerrno>
+#include <cstring>
+
 #include "base/atomic_file.h"
 #include "base/check.h"
 #include "base/foreign_text.h"
@@ -44,7 +47,8 @@ std::string why_it_failed(const Launched& launched, const LaunchLimits& limits) 
     if (launched.status == threw) return fmt::format("It threw an exception: {}", last_words(launched.text));
     if (launched.status == 0) return "";
     if (const std::string words = last_words(launched.text); words.starts_with("bwrap: "))
-      return fmt::format("It could not be started: {}", words);
+      return fmt::format("It could not be started: {}{}", words,
+                         words.ends_with(std::strerror(EACCES)) ? folder_hint : "");
     return fmt::format("It ended early, with exit status {}.", launched.status);
   case LaunchEnd::signalled:
     return crash_text(launched.status);

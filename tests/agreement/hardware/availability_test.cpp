@@ -2,9 +2,11 @@
 // since libraries are looked for once.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "agreement/hardware/hardware_pair.h"
+#include "base/read_file.h"
 #include "support/emulated.h"
 #include "support/environment.h"
 #include "support/run_cli.h"
@@ -48,6 +50,20 @@ TEST_F(HardwareAvailability, WithoutADriver) {
   const test::ScratchFolder folder;
   const test::WithoutEglDriver without(folder.path().string());
   expect_unavailable("no OpenGL: no driver");
+}
+
+// Mesa needs some hundred megabytes for its compiler. The program without it needs less.
+TEST_F(HardwareAvailability, WithoutMemory) {
+  for (const char* kilobytes : {"400000", "500000", "600000"}) {
+    const test::ScratchFolder folder;
+    const std::string command = "ulimit -v " + std::string(kilobytes) +
+                                "; " PIXELSCOPE_BIN_DIR
+                                "/pixelscope-cli render cgfs/shading --size 40x30 --set renderer=hardware --out " +
+                                folder.file("picture.png") + " 2>" + folder.file("err") + " >&2";
+    if (std::system(command.c_str()) < 0) GTEST_SKIP() << "no shell";
+    const std::string said = read_whole_file(folder.file("err"));
+    EXPECT_FALSE(said.ends_with("no OpenGL: no driver\n")) << said;
+  }
 }
 
 TEST_F(HardwareAvailability, WithOpenGl32) {

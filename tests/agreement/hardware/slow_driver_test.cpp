@@ -1,4 +1,4 @@
-// A graphics driver that takes minutes keeps nobody at the command line.
+// The command line ends while a graphics driver takes minutes.
 #include <gtest/gtest.h>
 
 #include <csignal>
