@@ -1,5 +1,6 @@
 #include "cli/interrupt.h"
 
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -11,7 +12,12 @@
 namespace ps::cli {
 namespace {
 
-constexpr unsigned patience = 1;  // seconds
+/// Has SIGALRM come when gentle ways have had their time.
+void wait_a_moment() {
+  constexpr suseconds_t patience = 700'000;  // microseconds
+  const itimerval once{{}, {0, patience}};
+  setitimer(ITIMER_REAL, &once, nullptr);
+}
 
 Progress own_progress;
 std::atomic<Progress*> stopped_by_signals{nullptr};
@@ -20,7 +26,7 @@ std::atomic<bool> said{false};
 /// Work that does not listen, such as a call of a graphics driver, may go on for as long as it likes.
 extern "C" void stop_at_once(int) {
   if (has_temporary_files()) {
-    alarm(patience);
+    wait_a_moment();
     return;
   }
   if (isatty(STDERR_FILENO) && write(STDERR_FILENO, "\n", 1) < 0) _exit(interrupted);  // below a line of progress
@@ -31,7 +37,7 @@ extern "C" void stop_at_once(int) {
 extern "C" void stop_gently(int signal) {
   if (Progress* progress = stopped_by_signals) progress->request_stop();
   std::signal(signal, SIG_DFL);
-  alarm(patience);
+  wait_a_moment();
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ std::string teapots_in_one_place() {
   return text.str();
 }
 
-/// What does not listen is ended a second after the signal; not so in this process and what it becomes.
+/// What does not listen is ended within a second of the signal; not so in this process and what it becomes.
 void hold_back_the_alarm() {
   sigset_t alarm_alone;
   sigemptyset(&alarm_alone);
