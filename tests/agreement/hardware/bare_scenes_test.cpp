@@ -66,7 +66,6 @@ TEST(HardwareBareScenes, AreDrawnUnderEveryOption) {
       SCOPED_TRACE(one.name + ", " + std::string(option.key) + "=" + option_text(option, settings));
       const test::PairDifference difference =
           test::compare_with_rasterizer(one.scene, settings, hardware, one.size.x, one.size.y);
-      std::cout << difference.text() << " " << one.name << " " << option.key << "\n";
       EXPECT_LE(difference.ids, difference.pixels / 50) << difference.text();
       EXPECT_LE(difference.colours, difference.pixels / 50) << difference.text();
       ++pictures;
