@@ -1,27 +1,29 @@
-// Random scenes under random options, drawn again in every way that may not change a bit: on each SIMD target, with
-// more threads, with another accelerator, in part, and pixel by pixel by the inspector. PIXELSCOPE_TEST_SEED repeats a
-// run, PIXELSCOPE_FUZZ_SECONDS lengthens it; `tests/run --fuzz` does. Then a quarter of the scenes hold extreme
-// numbers. Another quarter is without casters, lights or objects, and an eighth of the pictures has an extreme size.
+// Scenes and options drawn again in every way that may not change a bit: on each SIMD target, with more threads, with
+// another accelerator, in part, and pixel by pixel by the inspector. Fixed lists go through each value of each option,
+// the scenes that Pixelscope ships with and the triangles that fast paths treat apart. Then random scenes under random
+// options: PIXELSCOPE_TEST_SEED repeats a run, PIXELSCOPE_FUZZ_SECONDS lengthens it; `tests/run --fuzz` does. Then a
+// quarter of the scenes hold extreme numbers. Another quarter is without casters, lights or objects, and an eighth of
+// the pictures has an extreme size.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <array>
-#include <bit>
+#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdlib>
 #include <iostream>
 
-#include "frame/display_frame.h"
+#include "options/option.h"
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
 #include "support/bare_scene.h"
+#include "support/differential.h"
 #include "support/environment.h"
 #include "support/hostile_scene.h"
 #include "support/random_scene.h"
 #include "support/random_settings.h"
 #include "support/simd_targets.h"
+#include "support/trials.h"
+#include "support/triangle_soup.h"
 
 namespace ps::differential_test {
 namespace {
@@ -29,62 +31,24 @@ namespace {
 using Random = std::mt19937;
 using test::below;
 using test::share;
+using test::Subject;
 
-constexpr Channel compared_channels =
-    Channel::depth | Channel::normal | Channel::barycentric | Channel::uv | Channel::ids | Channel::facing;
-
-/// A scene with its settings, and the words by which a failure names it.
-struct Subject {
-  Scene scene;
-  View view;
-  Settings settings;
-  Channel channels = Channel::none;
-  std::string words;
-};
-
-bool same_number(float a, float b) {
-  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b) || (std::isnan(a) && std::isnan(b));
-}
-bool same_number(const PixelId& a, const PixelId& b) { return a == b; }
-template <int n>
-bool same_number(const glm::vec<n, float>& a, const glm::vec<n, float>& b) {
-  for (int i = 0; i < n; ++i)
-    if (!same_number(a[i], b[i])) return false;
-  return true;
+/// Six pictures of every mirror and light, made anew for each way to draw: at their usual size one scene with thirty
+/// mirrors would take a minute, and their pixels come from the same code as all others.
+void keep_maps_small(Settings& settings) {
+  settings.environment_size = std::min(settings.environment_size, 24);
+  settings.shadow_map_size = std::min(settings.shadow_map_size, 64);
 }
 
-/// The first pixel of `region` in which two pictures differ in a bit; any NaN equals any.
-template <class T>
-std::optional<Vec2i> difference(const Image<T>& a, const Image<T>& b, const TileRect& region) {
-  if (a.empty() != b.empty()) return Vec2i(-1, -1);
-  if (a.empty()) return {};
-  for (int y = region.y0; y < region.y1; ++y)
-    for (int x = region.x0; x < region.x1; ++x)
-      if (!same_number(a.at(x, y), b.at(x, y))) return Vec2i(x, y);
-  return {};
+/// None; those that the window always asks for, which fast paths store; or all that a pixel has.
+Channel random_channels(Random& random) {
+  const int choice = below(random, 3);
+  return choice == 0 ? Channel::none : choice == 1 ? Channel::ids | Channel::depth : test::pixel_channels;
 }
 
-std::string fault_between(const Frame& a, const Frame& b, const TileRect& region) {
-  const auto fault = [&](const char* name, const std::optional<Vec2i>& pixel) {
-    return pixel ? fmt::format("{} differs at {},{}", name, pixel->x, pixel->y) : std::string();
-  };
-  for (const std::string& found :
-       {fault("colour", difference(a.colour, b.colour, region)), fault("depth", difference(a.depth, b.depth, region)),
-        fault("normal", difference(a.normal, b.normal, region)),
-        fault("barycentric", difference(a.barycentric, b.barycentric, region)),
-        fault("uv", difference(a.uv, b.uv, region)), fault("ids", difference(a.ids, b.ids, region)),
-        fault("facing", difference(a.facing, b.facing, region))})
-    if (!found.empty()) return found;
-  return {};
-}
-
-Frame drawn(const Subject& subject, const Settings& settings, const std::optional<TileRect>& region = {}) {
-  Prepared prepared;
-  Progress progress;
-  RenderRequest request;
-  request.channels = subject.channels;
-  request.region = region;
-  return render(subject.scene, subject.view, settings, request, prepared, progress);
+void name_settings(Subject& subject) {
+  subject.words += fmt::format("\n{}x{}, channels {},{}", subject.view.width, subject.view.height,
+                               static_cast<unsigned>(subject.channels), test::changed_settings(subject.settings));
 }
 
 Settings random_settings(const Scene& scene, Random& random) {
@@ -92,10 +56,7 @@ Settings random_settings(const Scene& scene, Random& random) {
   const double density = share(random) * 0.25;
   for (const Option& option : option_table())
     if (share(random) < density) option.set(settings, test::random_value(option, random));
-  // Six pictures of every mirror and light, made anew for each way to draw: at their usual size one scene with thirty
-  // mirrors would take a minute, and their pixels come from the same code as all others.
-  settings.environment_size = std::min(settings.environment_size, 24);
-  settings.shadow_map_size = std::min(settings.shadow_map_size, 64);
+  keep_maps_small(settings);
   settings.renderer = below(random, 5) == 0   ? Renderer::textbook
                       : below(random, 2) == 0 ? Renderer::ray_tracer
                                               : Renderer::rasterizer;
@@ -106,84 +67,52 @@ enum class Numbers { moderate, extreme_too };
 
 std::optional<Subject> random_subject(Random& random, Numbers numbers) {
   Subject subject;
+  Scene scene;
   if (numbers == Numbers::extreme_too && below(random, 4) == 0) {
     auto hostile = test::hostile_scene(random);
     if (!hostile) return {};
-    subject.scene = std::move(hostile->scene);
+    scene = std::move(hostile->scene);
     subject.words = "scene\n" + hostile->text;
   } else {
     const unsigned seed = static_cast<unsigned>(random() % 1000000);
-    subject.scene = test::random_scene(seed);
+    scene = test::random_scene(seed);
     subject.words = fmt::format("random_scene({})", seed);
   }
   if (below(random, 4) == 0) {
     const test::Bare what = test::all_bare[static_cast<std::size_t>(below(random, int(test::all_bare.size())))];
-    subject.scene = test::bare_scene(std::move(subject.scene), what);
+    scene = test::bare_scene(std::move(scene), what);
     subject.words += std::string(" ") + std::string(test::bare_name(what));
   }
-  subject.view = {subject.scene.camera, 16 + below(random, 33), 12 + below(random, 25)};
+  subject.scene = std::make_shared<const Scene>(std::move(scene));
+  subject.view = {subject.scene->camera, 16 + below(random, 33), 12 + below(random, 25)};
   if (below(random, 8) == 0) {  // a picture of a few pixels, or of one row or column
     subject.view.width = below(random, 2) == 0 ? 1 + below(random, 3) : 1 + below(random, 600);
     subject.view.height = 1 + below(random, 3);
     if (below(random, 2) == 0) std::swap(subject.view.width, subject.view.height);
   }
   try {
-    subject.settings = random_settings(subject.scene, random);
+    subject.settings = random_settings(*subject.scene, random);
   } catch (const InputError&) {  // an extreme number among the scene's own settings
     return {};
   }
-  if (below(random, 2) == 0) subject.channels = compared_channels;
-  subject.words += fmt::format("\n{}x{}, channels {},{}", subject.view.width, subject.view.height,
-                               static_cast<unsigned>(subject.channels), test::changed_settings(subject.settings));
+  subject.channels = random_channels(random);
+  name_settings(subject);
   return subject;
 }
 
-/// Another accelerator that must find the same. Embree's own arithmetic may part at edges, and the naive slab test
-/// loses boxes, as its help says.
-Accelerator another_accelerator(const Settings& settings, Random& random) {
-  constexpr std::array all{Accelerator::none, Accelerator::bvh,    Accelerator::bounding_spheres,
-                           Accelerator::box,  Accelerator::octree, Accelerator::two_level};
-  if (settings.accelerator == Accelerator::embree || settings.slab_test == SlabTest::naive) return settings.accelerator;
-  return all[static_cast<std::size_t>(below(random, static_cast<int>(all.size())))];
-}
-
-TileRect random_region(const View& view, Random& random) {
-  const int x = below(random, view.width), y = below(random, view.height);
-  return {x, y, x + 1 + below(random, view.width - x), y + 1 + below(random, view.height - y)};
-}
-
-/// Draws the subject in every way; the words of the first fault, or nothing.
-std::string fault_of(const Subject& subject, Random& random) {
-  const TileRect all{0, 0, subject.view.width, subject.view.height};
-  Settings plain = subject.settings;
-  plain.simd = Simd::off;
-  plain.threads = 1;
-  const Frame base = drawn(subject, plain);
-  std::vector<Simd> targets = test::simd_targets();
-  targets.push_back(Simd::off);
-  for (const Simd target : targets) {
-    Settings other = subject.settings;
-    other.simd = target;
-    other.threads = 1 + below(random, 7);
-    other.accelerator = another_accelerator(subject.settings, random);
-    const std::string fault = fault_between(base, drawn(subject, other), all);
-    if (!fault.empty()) return fault + ", with" + test::changed_settings(other);
+/// What drew the pictures of a list: a list that no fast path takes proves nothing.
+class Paths {
+ public:
+  test::SeenPaths seen;
+  auto by(Machinery machinery) const {
+    return std::ranges::count_if(seen, [&](const FastPath& path) { return path.machinery == machinery; });
   }
-  const TileRect region = random_region(subject.view, random);
-  const std::string fault = fault_between(base, drawn(subject, subject.settings, region), region);
-  if (!fault.empty())
-    return fmt::format("{} in the region {},{} {}x{}", fault, region.x0, region.y0, region.width(), region.height());
-  const Vec2i pixel(below(random, subject.view.width), below(random, subject.view.height));
-  Prepared prepared;
-  Progress progress;
-  const PixelStory story = inspect(subject.scene, subject.view, subject.settings, pixel, prepared, progress);
-  const Vec3d stored = linear_at(base, pixel);
-  for (int i = 0; i < 3; ++i)
-    if (story.linear[i] != stored[i] && !(std::isnan(story.linear[i]) && std::isnan(stored[i])))
-      return fmt::format("the inspector has {} for {} in channel {} at {},{}", story.linear[i], stored[i], i, pixel.x,
-                         pixel.y);
-  return {};
-}
+  auto shaded_together() const {
+    return std::ranges::count_if(seen, [](const FastPath& path) {
+      return path.machinery == Machinery::wide_triangles && path.shading != SurfaceShading::single;
+    });
+  }
+};
 
 /// A fault that this test was made to find: eye rays through another place of the pixel.
 TEST(Differential, FindsAPlantedDifference) {
@@ -196,9 +125,152 @@ TEST(Differential, FindsAPlantedDifference) {
     other.sample_position =
         other.sample_position == SamplePosition::centre ? SamplePosition::corner : SamplePosition::centre;
     const TileRect all{0, 0, subject->view.width, subject->view.height};
-    found += fault_between(drawn(*subject, subject->settings), drawn(*subject, other), all).empty() ? 0 : 1;
+    found += test::picture_difference(drawn(*subject, subject->settings), drawn(*subject, other), all).empty() ? 0 : 1;
   }
   EXPECT_GT(found, 2) << "of ten scenes";
+}
+
+/// Spheres alone, plain triangles and textured ones, each value of a choice and two of a number.
+TEST(Differential, EachValueOfEachOption) {
+  Random random(5);
+  Paths paths;
+  for (const char* name : {"cgfs/reflections", "cgfs/shading", "cgfs/crates"}) {
+    const auto scene = std::make_shared<const Scene>(load_scene(name));
+    const auto prepared = std::make_shared<Prepared>();
+    const auto options = option_table();
+    for (std::size_t number = 0; number < options.size(); number += test::list_step) {
+      const Option& option = options[number];
+      const bool listed = option.kind == OptionKind::boolean || option.kind == OptionKind::choice;
+      const int values = option.kind == OptionKind::boolean  ? 2
+                         : option.kind == OptionKind::choice ? static_cast<int>(option.choices.size())
+                                                             : 2;
+      for (int value = 0; value < values; ++value)
+        for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
+          if (option.key == "renderer") continue;
+          Subject subject{scene, prepared, {scene->camera, 41 + value, 27}, settings_for(*scene), Channel::none, name};
+          subject.settings.renderer = renderer;
+          option.set(subject.settings, listed ? value : test::random_value(option, random));
+          keep_maps_small(subject.settings);
+          subject.channels = random_channels(random);
+          name_settings(subject);
+          ASSERT_EQ(test::differential_fault(subject, random, paths.seen, test::Targets::one), "") << subject.words;
+        }
+    }
+  }
+  if (test::simd_targets().empty()) GTEST_SKIP() << "this processor has no SIMD target: both sides are the clear path";
+  for (const Machinery machinery :
+       {Machinery::sphere_packets, Machinery::wide_triangles, Machinery::fragment_batches, Machinery::whole_frame})
+    EXPECT_GT(paths.by(machinery), 10 / static_cast<int>(test::list_step)) << machinery_key(machinery);
+  EXPECT_GT(paths.shaded_together(), 10 / static_cast<int>(test::list_step)) << "hits of eight rays shaded together";
+}
+
+/// Each scene as it ships, from elsewhere and under options drawn at random: those that send a picture to the clear
+/// path too, since who decides that must know all of them.
+TEST(Differential, EachSceneFromAnywhere) {
+  Random random(20261121);
+  Paths paths;
+  const std::vector<BuiltinScene>& scenes = builtin_scenes();
+  for (std::size_t number = 0; number < scenes.size(); number += test::list_step) {
+    const auto scene = std::make_shared<const Scene>(load_scene(scenes[number].name));
+    const auto prepared = std::make_shared<Prepared>();
+    for (const int changes : {0, 1, 3})
+      for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
+        Subject subject{scene, prepared, {scene->camera, 75, 49}, settings_for(*scene), Channel::none, scene->name};
+        if (changes > 0) {  // turned, its axes neither orthogonal nor of unit length
+          const auto vector = [&] { return Vec3d(share(random), share(random), share(random)) - Vec3d(0.5); };
+          subject.view.camera.right += vector();
+          subject.view.camera.up += vector();
+          subject.view.camera.forward += vector();
+          subject.view.camera.position += (share(random) * 3 - 1) * scene->camera.forward;
+          subject.view.width += below(random, 60);
+        }
+        const auto options = option_table();
+        for (int i = 0; i < changes; ++i) {
+          const Option& option = options[static_cast<std::size_t>(below(random, static_cast<int>(options.size())))];
+          option.set(subject.settings, test::random_value(option, random));
+        }
+        subject.settings.renderer = renderer;
+        if (test::is_large(*scene) && subject.settings.accelerator != Accelerator::octree)
+          subject.settings.accelerator = Accelerator::bvh;
+        keep_maps_small(subject.settings);
+        subject.channels = random_channels(random);
+        name_settings(subject);
+        ASSERT_EQ(test::differential_fault(subject, random, paths.seen, test::Targets::one), "") << subject.words;
+      }
+  }
+  if (test::simd_targets().empty()) GTEST_SKIP() << "this processor has no SIMD target: both sides are the clear path";
+  for (const Machinery machinery : {Machinery::sphere_packets, Machinery::wide_triangles, Machinery::whole_frame})
+    EXPECT_GT(paths.by(machinery), 20 / static_cast<int>(test::list_step)) << machinery_key(machinery);
+}
+
+TEST(Differential, TrianglesOfEveryKind) {
+  constexpr unsigned seed = 20240;
+  RecordProperty("seed", seed);
+  Random random(seed);
+  Paths paths;
+  const auto scene = std::make_shared<const Scene>(test::triangle_soup(random));
+  const auto prepared = std::make_shared<Prepared>();
+  for (const std::vector<std::string>& variant : std::vector<std::vector<std::string>>{
+           {},
+           {"backface-culling=off"},
+           {"fill-rule=inclusive", "subpixel-bits=4", "texture-filter=nearest"},
+           {"fill-rule=exclusive", "subpixel-bits=0", "texture-filter=bilinear", "texture-wrap=mirror"},
+           {"normals=triangle", "clipping=near", "texture-filter=mipmap"},
+           {"shading=gouraud", "depth-value=z", "texture-filter=trilinear", "mip-bias=3.5"},
+           {"lighting=off", "sample-position=corner", "backface-culling=off"},
+           {"textures=off", "renormalise=off", "highlight=blinn-phong"}})
+    for (const Channel channels : {Channel::none, Channel::ids | Channel::depth})
+      for (const Renderer renderer : {Renderer::rasterizer, Renderer::ray_tracer}) {
+        Subject subject{scene, prepared, {scene->camera, 333, 211}, {}, channels, "soup"};
+        if (renderer == Renderer::ray_tracer) subject.view.width = 75, subject.view.height = 49;
+        for (const std::string& assignment : variant) parse_assignment(assignment, subject.settings);
+        subject.settings.renderer = renderer;
+        name_settings(subject);
+        if (renderer == Renderer::rasterizer) {
+          const Frame picture = drawn(subject, subject.settings);
+          for (const Counter counter :
+               {Counter::triangles_degenerate, Counter::triangles_split, Counter::depth_failures,
+                Counter::triangles_clipped_away, Counter::pixels_written})
+            EXPECT_GT(picture.counters[counter], 20u) << counter_key(counter) << ", " << subject.words;
+        }
+        ASSERT_EQ(test::differential_fault(subject, random, paths.seen), "") << subject.words;
+      }
+  if (test::simd_targets().empty()) GTEST_SKIP() << "this processor has no SIMD target: both sides are the clear path";
+  EXPECT_GT(paths.by(Machinery::whole_frame), 12);
+}
+
+/// The sample nearest to the pixel's own position says what the pixel shows. The width is no multiple of any lanes.
+TEST(Differential, SamplesOfEachPattern) {
+  Random random(13);
+  Paths paths;
+  const auto scene = std::make_shared<const Scene>(load_scene("cgfs/reflections"));
+  for (const SamplePattern pattern :
+       {SamplePattern::grid, SamplePattern::jitter, SamplePattern::random, SamplePattern::halton, SamplePattern::r2})
+    for (const int count : {3, 16})
+      for (const bool adaptive : {false, true}) {
+        Subject subject{scene, nullptr, {scene->camera, 37, 21}, {}, Channel::ids | Channel::depth, "cgfs/reflections"};
+        subject.settings.samples_per_pixel = count;
+        subject.settings.sample_pattern = pattern;
+        subject.settings.adaptive_sampling = adaptive;
+        subject.settings.sample_position = adaptive ? SamplePosition::corner : SamplePosition::centre;
+        name_settings(subject);
+        ASSERT_EQ(test::differential_fault(subject, random, paths.seen, test::Targets::one), "") << subject.words;
+      }
+  EXPECT_GT(paths.by(Machinery::sphere_packets), test::simd_targets().empty() ? -1 : 10);
+}
+
+/// Products of the materials' reflectivities that are the cutoff itself.
+TEST(Differential, SharesEqualToTheCutoff) {
+  Random random(9);
+  Paths paths;
+  const auto scene = std::make_shared<const Scene>(load_scene("cgfs/reflections"));
+  for (const double cutoff : {0.01, 0.1, 0.2, 0.5, 1.0}) {
+    Subject subject{scene, nullptr, {scene->camera, 130, 70}, {}, Channel::none, "cgfs/reflections"};
+    subject.settings.reflection_depth = 64;
+    subject.settings.reflection_cutoff = cutoff;
+    name_settings(subject);
+    ASSERT_EQ(test::differential_fault(subject, random, paths.seen), "") << subject.words;
+  }
 }
 
 TEST(Differential, EveryWayToDrawAPictureGivesTheSameBits) {
@@ -206,6 +278,7 @@ TEST(Differential, EveryWayToDrawAPictureGivesTheSameBits) {
   const bool longer = std::getenv("PIXELSCOPE_FUZZ_SECONDS") != nullptr;
   const std::chrono::duration<double> time(test::number_from("PIXELSCOPE_FUZZ_SECONDS", 4));
   Random random(seed);
+  Paths paths;
   int pictures = 0, refused = 0;
   const auto start = std::chrono::steady_clock::now();
   while (pictures < 5 || std::chrono::steady_clock::now() - start < time) {
@@ -216,7 +289,7 @@ TEST(Differential, EveryWayToDrawAPictureGivesTheSameBits) {
     }
     std::string fault;
     try {
-      fault = fault_of(*subject, random);
+      fault = test::differential_fault(*subject, random, paths.seen);
     } catch (const InputError&) {  // numbers that cannot be drawn, such as a camera's axes in one plane
       ++refused;
       continue;

@@ -1,5 +1,5 @@
-// What must hold for every scene and setting: pictures and counters do not depend on threads, and the inspector repeats
-// the picture's own bits.
+// What must hold for every scene and setting: channels change no colour, and the inspector repeats the picture's own
+// bits.
 #include <algorithm>
 #include <array>
 #include <mutex>
@@ -50,27 +50,6 @@ Frame draw(const Scene& scene, const View& view, const Settings& settings, Chann
   return render(scene, view, settings, request, prepared, progress);
 }
 
-TEST(Rasterized, IsTheSameForAnyNumberOfThreads) {
-  for (const auto& [name, assignments] : cases) {
-    const Scene scene = load_scene(name);
-    const View view{scene.camera, 331, 203};
-    Settings settings = settings_of(assignments);
-    settings.threads = 1;
-    const Frame one = draw(scene, view, settings, all_channels);
-    EXPECT_GT(one.counters[Counter::pixels_written], 100u) << name;
-    for (const int threads : {2, 7}) {
-      settings.threads = threads;
-      const Frame many = draw(scene, view, settings, all_channels);
-      EXPECT_TRUE(same_bits(one.colour, many.colour) && same_bits(one.colour_double, many.colour_double)) << name;
-      EXPECT_TRUE(same_bits(one.depth, many.depth) && same_bits(one.normal, many.normal)) << name;
-      EXPECT_TRUE(same_bits(one.ids, many.ids) && same_bits(one.barycentric, many.barycentric)) << name;
-      EXPECT_TRUE(same_bits(one.uv, many.uv) && same_bits(one.mip, many.mip)) << name;
-      EXPECT_TRUE(same_bits(one.overdraw, many.overdraw) && same_bits(one.tests, many.tests)) << name;
-      EXPECT_EQ(one.counters, many.counters) << name;
-    }
-  }
-}
-
 TEST(Rasterized, ChannelsDoNotChangeTheColour) {
   for (const auto& [name, assignments] : cases) {
     const Scene scene = load_scene(name);
@@ -112,101 +91,6 @@ TEST(Rasterized, InspectorReportsThePicturesOwnBits) {
       }
       if (name != "cgfs/mixing") {
         EXPECT_EQ(drawn, frame.overdraw.at(pixel.x, pixel.y)) << name;
-      }
-    }
-  }
-}
-
-/// The fast path repeats the clear path's operations: pictures and counters are the same to the last bit.
-TEST(Rasterized, IsTheSameOnEverySimdTarget) {
-  const std::vector<Simd> targets = test::simd_targets();
-  if (targets.empty()) GTEST_SKIP() << "this processor has no SIMD target: both sides are the clear path";
-  const std::vector<std::vector<std::string>> variants{{},
-                                                       {"highlight=blinn-phong"},
-                                                       {"renormalise=off"},
-                                                       {"normals=triangle", "visibility=painter"},
-                                                       {"specular=off", "depth-value=distance"},
-                                                       {"shading=gouraud", "depth-value=z"},
-                                                       {"shading=flat", "backface-culling=off"},
-                                                       {"lighting=off", "visibility=draw-order", "subpixel-bits=12"},
-                                                       {"clipping=near", "subpixel-bits=1"}};
-  std::size_t whole_pictures = 0;
-  for (const char* name : {"cgfs/shading", "cgfs/reflections", "cgfs/crates", "cgfs/camera"}) {
-    const Scene scene = load_scene(name);
-    for (const auto& variant : variants) {
-      Settings settings = settings_of(variant);
-      settings.textures = false;
-      settings.simd = Simd::off;
-      const Frame clear = draw(scene, {scene.camera, 317, 211}, settings);
-      EXPECT_GT(clear.counters[Counter::fragments], 1000u) << name;
-      for (const Simd simd : targets) {
-        settings.simd = simd;
-        const Frame fast = draw(scene, {scene.camera, 317, 211}, settings);
-        EXPECT_TRUE(same_bits(clear.colour, fast.colour)) << name << ", target " << static_cast<int>(simd);
-        EXPECT_EQ(clear.counters, fast.counters) << name;
-        whole_pictures += test::took_fast_frame(fast) ? 1 : 0;
-      }
-    }
-  }
-  // At least the four variants that shade at each pixel and keep 1/z in a depth buffer, in each of the four scenes.
-  EXPECT_GE(whole_pictures, 4 * 4 * targets.size());
-}
-
-TEST(Rasterized, TexturesAreTheSameOnEverySimdTarget) {
-  const std::vector<Simd> targets = test::simd_targets();
-  if (targets.empty()) GTEST_SKIP() << "this processor has no SIMD target: both sides are the clear path";
-  const Scene scene = load_scene("cgfs/crates");
-  for (const char* filter : {"nearest", "bilinear", "mipmap", "trilinear"})
-    for (const char* wrap : {"repeat", "clamp", "mirror"})
-      for (const char* more : {"mip-bias=0", "mip-bias=3.5", "lighting=off", "shading=gouraud"}) {
-        Settings settings =
-            settings_of({std::string("texture-filter=") + filter, std::string("texture-wrap=") + wrap, more});
-        settings.simd = Simd::off;
-        const Frame clear = draw(scene, {scene.camera, 257, 219}, settings);
-        EXPECT_GT(clear.counters[Counter::texel_reads], 10000u);
-        for (const Simd simd : targets) {
-          settings.simd = simd;
-          const Frame fast = draw(scene, {scene.camera, 257, 219}, settings);
-          EXPECT_TRUE(same_bits(clear.colour, fast.colour)) << filter << ", " << wrap << ", " << more;
-          EXPECT_EQ(clear.counters, fast.counters) << filter << ", " << wrap << ", " << more;
-          EXPECT_TRUE(test::took_fast_frame(fast) || settings.shading != Shading::phong) << filter << ", " << more;
-        }
-      }
-}
-
-/// What the window always asks for comes from the fast paths, too: the same ids, depths, colours and counts as from the
-/// clear path, for any number of threads. Several stages are left to it, a sphere stands for its triangles, and the
-/// camera is near enough to cut some.
-TEST(Rasterized, FastPathsStoreIdsAndDepths) {
-  constexpr Channel asked = Channel::ids | Channel::depth;
-  const std::vector<std::vector<std::string>> variants{{},
-                                                       {"shading=gouraud", "depth-value=z"},
-                                                       {"shading=flat", "visibility=painter"},
-                                                       {"lighting=off", "visibility=draw-order", "clipping=near"},
-                                                       {"backface-culling=off", "texture-filter=mipmap"}};
-  for (const char* name : {"cgfs/reflections", "cgfs/shading", "cgfs/crates", "cgfs/camera"}) {
-    const Scene scene = load_scene(name);
-    View view{scene.camera, test::side(333), test::side(207)};
-    for (const double forward : {0.0, 1.5}) {
-      view.camera.position = scene.camera.position + scene.camera.forward * forward;
-      for (const auto& variant : variants) {
-        Settings settings = settings_of(variant);
-        settings.simd = Simd::off;
-        const Frame clear = draw(scene, view, settings, asked);
-        const auto seen = std::ranges::count_if(clear.ids.pixels(), [](const PixelId& id) { return id.object >= 0; });
-        EXPECT_GT(seen, test::area(1000)) << name;
-        settings.simd = Simd::automatic;
-        constexpr std::array thread_counts{7, 2, 1};
-        for (std::size_t i = 0; i < thread_counts.size(); i += test::list_step) {
-          settings.threads = thread_counts[i];
-          const Frame fast = draw(scene, view, settings, asked);
-          EXPECT_TRUE(same_bits(clear.ids, fast.ids)) << name;
-          EXPECT_TRUE(same_bits(clear.depth, fast.depth)) << name;
-          EXPECT_TRUE(same_bits(clear.colour, fast.colour)) << name;
-          EXPECT_EQ(clear.counters, fast.counters) << name;
-        }
-        EXPECT_TRUE(same_bits(clear.ids, draw(scene, view, settings, Channel::ids).ids)) << name;
-        EXPECT_TRUE(same_bits(clear.depth, draw(scene, view, settings, Channel::depth).depth)) << name;
       }
     }
   }

@@ -1,4 +1,4 @@
-// What must hold for every scene: the accelerator, the number of threads and the act of looking change nothing.
+// What must hold for every scene: shortcuts, the number of threads and the act of looking change nothing.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -12,6 +12,7 @@
 #include "image/display.h"
 #include "raytrace/renderer.h"
 #include "render/render.h"
+#include "scene/load.h"
 #include "support/random_scene.h"
 #include "support/same_bits.h"
 #include "support/trials.h"
@@ -68,49 +69,6 @@ std::vector<Settings> ways_to_intersect() {
         ways.push_back(settings);
       }
   return ways;
-}
-
-TEST(TracedProperty, TheTreeOfBoxesChangesNothingButTheWork) {
-  for (unsigned seed = 1; seed <= static_cast<unsigned>(test::trials(12)); ++seed) {
-    SCOPED_TRACE(seed);
-    const Scene scene = random_scene(seed);
-    for (Settings settings : ways_to_intersect()) {
-      settings.accelerator = Accelerator::bvh;
-      const Frame with_tree = traced(scene, settings);
-      settings.accelerator = Accelerator::none;
-      const Frame without = traced(scene, settings);
-      expect_same(with_tree, without, Tests::ignore);
-      const auto tests = [](const Frame& frame) {
-        return frame.counters[Counter::sphere_tests] + frame.counters[Counter::triangle_tests];
-      };
-      // The textbook quadratic is so rough in float that boxes must be grown beyond use.
-      if (settings.sphere_test == SphereTest::robust) {
-        EXPECT_LE(tests(with_tree), tests(without));
-      }
-      EXPECT_GT(with_tree.counters[Counter::node_visits], 0u);
-      EXPECT_EQ(without.counters[Counter::node_visits], 0u);
-    }
-  }
-}
-
-TEST(TracedProperty, EveryAcceleratorGivesThePictureOfNone) {
-  for (unsigned seed = 13; seed < 13u + static_cast<unsigned>(test::trials(3)); ++seed) {
-    SCOPED_TRACE(seed);
-    const Scene scene = random_scene(seed);
-    for (Settings settings : ways_to_intersect()) {
-      settings.accelerator = Accelerator::none;
-      const Frame without = traced(scene, settings);
-      for (const Accelerator accelerator : {Accelerator::bounding_spheres, Accelerator::box, Accelerator::octree}) {
-        settings.accelerator = accelerator;
-        const Frame with = traced(scene, settings);
-        expect_same(with, without, Tests::ignore);
-        EXPECT_GT(with.counters[Counter::node_visits], 0u);
-      }
-      settings.octree_leaf = 1;
-      settings.octree_depth = 5;
-      expect_same(traced(scene, settings), without, Tests::ignore);
-    }
-  }
 }
 
 TEST(TracedProperty, ShadowCacheCachedConstantsAndAnyHitChangeNothingButTheWork) {
@@ -194,6 +152,30 @@ TEST(TracedProperty, AStoryEndsInTheColourOfThePicture) {
         EXPECT_FALSE(story.verdict.empty());
       }
     }
+  }
+}
+
+/// With packets of rays and without them. The picture stays nearly the same where nothing is thinner than the step.
+TEST(TracedProperty, SubsamplingSavesTests) {
+  const Scene scene = load_scene("cgfs/reflections");
+  Settings settings;
+  settings.reflection_depth = 0;
+  settings.shadows = Shadows::none;
+  const auto picture = [&](Simd simd, int subsampling) {
+    settings.simd = simd;
+    settings.subsampling = subsampling;
+    Prepared prepared;
+    Progress progress;
+    return render_traced(scene, View{scene.camera, 320, 320}, settings, {}, prepared, progress);
+  };
+  for (const Simd simd : {Simd::off, Simd::automatic}) {
+    const Frame plain = picture(simd, 1), less = picture(simd, 8);
+    EXPECT_LT(less.counters[Counter::sphere_tests] * 2, plain.counters[Counter::sphere_tests]);
+    EXPECT_GT(less.counters[Counter::searches_saved], 320u * 320 * 3 / 4);
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < plain.colour.pixels().size(); ++i)
+      differing += plain.colour.pixels()[i] != less.colour.pixels()[i] ? 1 : 0;
+    EXPECT_LT(differing, 320u * 320 / 100);
   }
 }
 
