@@ -39,9 +39,11 @@ bool touches(const Triangle& triangle, const Cell& cell) {
   return true;
 }
 
-// Halves a cell in x, y and z, and goes on in each of the eight parts until it holds few triangles.
-void split(Cell& cell, std::size_t most_triangles, int levels) {
-  if (cell.triangles.size() <= most_triangles || levels == 0) return;
+// Halves a cell in x, y and z, and goes on in each of the eight parts until it holds few triangles. Cells around a corner
+// that many triangles share never do: `cells_left` ends that.
+void split(Cell& cell, std::size_t most_triangles, int levels, int& cells_left) {
+  if (cell.triangles.size() <= most_triangles || levels == 0 || cells_left < 8) return;
+  cells_left -= 8;
   const Vec3d middle = (cell.low + cell.high) * 0.5;
   for (unsigned i = 0; i < 8; ++i) {
     cell.children[i] = std::make_unique<Cell>();
@@ -54,7 +56,7 @@ void split(Cell& cell, std::size_t most_triangles, int levels) {
     // A triangle on the border of two cells is entered in both.
     for (const Triangle* triangle : cell.triangles)
       if (touches(*triangle, child)) child.triangles.push_back(triangle);
-    split(child, most_triangles, levels - 1);
+    split(child, most_triangles, levels - 1, cells_left);
   }
   cell.leaf = false;
   cell.triangles.clear();
@@ -140,7 +142,8 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
         root.high[axis] = std::max(root.high[axis], vertex[axis]);
       }
   }
-  split(root, static_cast<std::size_t>(scene.settings.octree_leaf), scene.settings.octree_depth);
+  int cells_left = 200000;
+  split(root, static_cast<std::size_t>(scene.settings.octree_leaf), scene.settings.octree_depth, cells_left);
 
   const Camera& camera = scene.camera;
   for (int y = canvas.bottom(); y < canvas.top(); ++y) {

@@ -33,7 +33,7 @@ TEST(Pointer, RealPointerAndKeysWork) {
       folder, "--widget-gallery",
       "wait idle\nprint gallery/plain@middle\nwait until gallery/count = 2\n"
       "wait until gallery/held on\nwait until gallery/held off\nexpect gallery/count 2\n",
-      "xdotool click 1; sleep 0.2; xdotool click 1; sleep 0.2; xdotool keydown f; sleep 0.3; xdotool keyup f\n");
+      "xdotool click 1; sleep 0.5; xdotool click 1; sleep 0.5; xdotool keydown f; sleep 1; xdotool keyup f\n");
 }
 
 TEST(Pointer, RealPointerPicksAPixelInB) {
