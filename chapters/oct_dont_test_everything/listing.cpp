@@ -39,8 +39,8 @@ bool touches(const Triangle& triangle, const Cell& cell) {
   return true;
 }
 
-// Halves a cell in x, y and z, and goes on in each of the eight parts until it holds few triangles. Cells around a corner
-// that many triangles share never do: `cells_left` ends that.
+// Halves a cell in x, y and z, and goes on in each of the eight parts until it holds few triangles. Cells around a
+// corner that many triangles share never do: `cells_left` ends that.
 void split(Cell& cell, std::size_t most_triangles, int levels, int& cells_left) {
   if (cell.triangles.size() <= most_triangles || levels == 0 || cells_left < 8) return;
   cells_left -= 8;

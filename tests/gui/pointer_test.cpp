@@ -29,11 +29,10 @@ void use_pointer(const std::filesystem::path& folder, const std::string& argumen
 TEST(Pointer, RealPointerAndKeysWork) {
   if (!have_xdotool()) GTEST_SKIP() << "xdotool is not installed";
   const auto folder = std::filesystem::absolute(ps::fresh_output_folder("gui-pointer"));
-  use_pointer(
-      folder, "--widget-gallery",
-      "wait idle\nprint gallery/plain@middle\nwait until gallery/count = 2\n"
-      "wait until gallery/held on\nwait until gallery/held off\nexpect gallery/count 2\n",
-      "xdotool click 1; sleep 0.5; xdotool click 1; sleep 0.5; xdotool keydown f; sleep 1; xdotool keyup f\n");
+  use_pointer(folder, "--widget-gallery",
+              "wait idle\nprint gallery/plain@middle\nwait until gallery/count = 2\n"
+              "wait until gallery/held on\nwait until gallery/held off\nexpect gallery/count 2\n",
+              "xdotool click 1; sleep 0.5; xdotool click 1; sleep 0.5; xdotool keydown f; sleep 1; xdotool keyup f\n");
 }
 
 TEST(Pointer, RealPointerPicksAPixelInB) {
