@@ -220,7 +220,7 @@ Scene town(double away, double ground, const std::string& light, const std::stri
   for (const auto& [x, z, size] : {std::array{0.0, 7.0, 2.0}, {2.2, 7.5, 1.0}}) {
     const int first = vertices + 1;
     for (int corner = 0; corner < 8; ++corner)
-      vertex(away + x + size * ((corner & 1) - 0.5), size * ((corner & 2) / 2), z + size * ((corner & 4) / 4 - 0.5));
+      vertex(away + x + size * ((corner & 1) - 0.5), size * (corner >> 1 & 1), z + size * ((corner >> 2 & 1) - 0.5));
     for (const char* face : {"0 2 3 1", "4 5 7 6", "0 4 6 2", "1 3 7 5", "2 6 7 3"}) {
       obj += "f";
       for (const char* c = face; *c != 0; ++c)
