@@ -32,7 +32,7 @@ const std::array<Vec3d, 3> far_places{Vec3d{5e5, 120, 5.5e6}, Vec3d{-5.5e6, 5e5,
 
 /// A folder with a picture that changes slowly.
 std::filesystem::path picture_folder() {
-  const auto folder = fresh_output_folder("far-scenes");
+  auto folder = fresh_output_folder("far-scenes");
   std::string picture = "P3 64 64 255\n";
   const auto wave = [](double at) { return static_cast<int>(127.5 + 60 * std::sin(at)); };
   for (int y = 0; y < 64; ++y)

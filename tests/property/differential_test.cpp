@@ -200,7 +200,7 @@ TEST(Differential, EachSceneFromAnywhere) {
   }
   if (test::simd_targets().empty()) GTEST_SKIP() << "this processor has no SIMD target: both sides are the clear path";
   for (const Machinery machinery : {Machinery::sphere_packets, Machinery::wide_triangles, Machinery::whole_frame})
-    EXPECT_GT(paths.by(machinery), 20 / static_cast<int>(test::list_step)) << machinery_key(machinery);
+    EXPECT_GT(paths.by(machinery), 10 / static_cast<int>(test::list_step)) << machinery_key(machinery);
 }
 
 TEST(Differential, TrianglesOfEveryKind) {
