@@ -14,8 +14,8 @@ namespace ps::hardware {
 ShaderText shader_text(ShaderFiles& files, std::string_view file, ShaderStage stage, Api api,
                        std::string_view definitions);
 
-/// The text with lines whose numbers tell the file: Mesa forgets the number of the file that `#line` gives once it has
-/// parsed, and then reports every mistake as one of file 0.
+/// The text with line numbers that encode the file as well as the line: once Mesa has parsed a shader, it no longer
+/// knows the file that `#line` names, and reports every mistake as one of file 0.
 std::string with_numbered_files(const ShaderText& shader);
 
 /// What a driver says of a text with numbered files that it does not compile, first line. Its place is

@@ -12,8 +12,6 @@
 
 #include "agreement/hardware/hardware_pair.h"
 #include "base/atomic_file.h"
-#include "frame/display_frame.h"
-#include "image/difference.h"
 #include "inspect/story_json.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
@@ -23,6 +21,7 @@
 #include "scene/float_limits.h"
 #include "scene/scene_file.h"
 #include "support/golden.h"
+#include "support/shown_levels.h"
 
 namespace ps::far_scenes_test {
 namespace {
@@ -96,14 +95,7 @@ Settings settings_of(Renderer renderer, const std::vector<std::string>& assignme
 }
 
 Image<Rgb8> levels_of(const Scene& scene, const Settings& settings) {
-  return display_frame(render(scene, {scene.camera, width, height}, settings), settings);
-}
-
-/// Pixels that differ by more than two levels.
-int differing(const Image<Rgb8>& a, const Image<Rgb8>& b) {
-  int count = 0;
-  for (std::size_t i = 0; i < a.pixels().size(); ++i) count += largest_difference(a.pixels()[i], b.pixels()[i]) > 2;
-  return count;
+  return test::levels_of(scene, settings, width, height);
 }
 
 TEST(FarScenes, LookAsTheyDoAtTheOrigin) {
@@ -120,13 +112,13 @@ TEST(FarScenes, LookAsTheyDoAtTheOrigin) {
       const Image<Rgb8> wanted = levels_of(home, settings);
       for (const Vec3d& place : far_places) {
         const Scene far = scene_at(place, folder);
-        EXPECT_LE(differing(levels_of(far, settings), wanted), edges)
+        EXPECT_LE(test::differing(levels_of(far, settings), wanted), edges)
             << fmt::format("{} {} at {}", static_cast<int>(renderer), fmt::join(assignments, " "), place.x);
         EXPECT_EQ(left_out_words(scene_traits(far), settings), left_out_words(scene_traits(home), settings));
       }
     }
   Settings absolute = settings_of(Renderer::rasterizer, {"camera-relative=off"});
-  EXPECT_GT(differing(levels_of(scene_at(far_places[0], folder), absolute), levels_of(home, absolute)), 500);
+  EXPECT_GT(test::differing(levels_of(scene_at(far_places[0], folder), absolute), levels_of(home, absolute)), 500);
 }
 
 TEST(FarScenes, LookTheSameInAnySize) {
@@ -138,7 +130,7 @@ TEST(FarScenes, LookTheSameInAnySize) {
       const Settings settings = settings_of(renderer, assignments);
       const Image<Rgb8> wanted = levels_of(home, settings);
       for (const double size : {0.3, 0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e3, 1e6})
-        EXPECT_LE(differing(levels_of(scene_at({0, 0, 0}, folder, size), settings), wanted), 8)
+        EXPECT_LE(test::differing(levels_of(scene_at({0, 0, 0}, folder, size), settings), wanted), 8)
             << fmt::format("{} {} size {}", static_cast<int>(renderer), fmt::join(assignments, " "), size);
     }
 }
@@ -260,7 +252,7 @@ TEST(FarScenes, WhatFloatCannotHoldIsSaid) {
       if (one.said || renderer == Renderer::ray_tracer) continue;
       // Where no line asks for double, no difference is seen.
       Settings exact = settings_of(Renderer::rasterizer, {"shadows=none", "precision=double"});
-      EXPECT_LE(differing(levels_of(scene, settings_of(renderer, {"shadows=none"})), levels_of(scene, exact)), 20)
+      EXPECT_LE(test::differing(levels_of(scene, settings_of(renderer, {"shadows=none"})), levels_of(scene, exact)), 20)
           << one.away << " " << one.ground << " " << int(renderer);
     }
   }
@@ -269,8 +261,9 @@ TEST(FarScenes, WhatFloatCannotHoldIsSaid) {
   EXPECT_FALSE(says_double(plain, Renderer::ray_tracer));
   EXPECT_TRUE(says_double(plain, Renderer::rasterizer));
   Settings exact = settings_of(Renderer::rasterizer, {"shadows=none", "precision=double"});
-  EXPECT_GT(differing(levels_of(plain, settings_of(Renderer::rasterizer, {"shadows=none"})), levels_of(plain, exact)),
-            200);
+  EXPECT_GT(
+      test::differing(levels_of(plain, settings_of(Renderer::rasterizer, {"shadows=none"})), levels_of(plain, exact)),
+      200);
   EXPECT_EQ(left_out_words(scene_traits(plain), exact), "");
   // Under light that has no place they look the same.
   EXPECT_FALSE(says_double(town(0, 1e7, "light { type = directional intensity = 0.6 direction = (1,2,-1) }", folder),

@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "frame/display_frame.h"
 #include "frame/working_scene.h"
-#include "image/difference.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "render/left_out.h"
@@ -17,6 +15,7 @@
 #include "scene/float_limits.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
+#include "support/shown_levels.h"
 
 namespace working_space_test {
 namespace {
@@ -52,14 +51,7 @@ Scene scene_at(const Vec3d& o, double size = 1) {
 }
 
 Image<Rgb8> levels_of(const Scene& scene, const Settings& settings) {
-  return display_frame(render(scene, {scene.camera, picture_width, picture_height}, settings), settings);
-}
-
-/// Pixels that differ by more than two levels.
-int differing(const Image<Rgb8>& a, const Image<Rgb8>& b) {
-  int count = 0;
-  for (std::size_t i = 0; i < a.pixels().size(); ++i) count += largest_difference(a.pixels()[i], b.pixels()[i]) > 2;
-  return count;
+  return test::levels_of(scene, settings, picture_width, picture_height);
 }
 
 constexpr std::array far_places{Vec3d{5e5, 120, 5.5e6}, Vec3d{-5.5e6, 5e5, 3e5}, Vec3d{3e7, -3e7, 3e7}};
@@ -94,9 +86,10 @@ TEST(WorkingSpace, RaysFarFromTheOriginShowWhatDoubleShows) {
     for (std::size_t i = 0; i < accelerators.choices.size(); ++i) {
       Settings settings;
       settings.accelerator = static_cast<Accelerator>(i);
-      EXPECT_LE(differing(levels_of(scene, settings), truth), 4) << place.x << " " << accelerators.choices[i].key;
+      EXPECT_LE(test::differing(levels_of(scene, settings), truth), 4) << place.x << " " << accelerators.choices[i].key;
       settings.camera_relative = false;
-      EXPECT_GT(differing(levels_of(scene, settings), truth), 200) << place.x << " " << accelerators.choices[i].key;
+      EXPECT_GT(test::differing(levels_of(scene, settings), truth), 200)
+          << place.x << " " << accelerators.choices[i].key;
     }
   }
 }
@@ -111,7 +104,7 @@ TEST(WorkingSpace, FragmentsFarFromTheOriginShowWhatDoubleShows) {
         settings.shadow_map_size = 128;
         settings.shading = shading;
         const Scene scene = scene_at(place), home = scene_at({0, 0, 0});
-        EXPECT_LE(differing(levels_of(scene, settings), levels_of(home, settings)), 8)
+        EXPECT_LE(test::differing(levels_of(scene, settings), levels_of(home, settings)), 8)
             << place.x << " shadows " << static_cast<int>(shadows);
       }
 }
@@ -123,7 +116,7 @@ TEST(WorkingSpace, PicturesDoNotDependOnTheSizeOfTheScene) {
     settings.shadows = renderer == Renderer::ray_tracer ? Shadows::traced : Shadows::stencil_depth_fail;
     const Image<Rgb8> wanted = levels_of(scene_at({0, 0, 0}), settings);
     for (const double size : {0.1, 1e-3, 1e-5, 1e-7, 1e-12, 1e-15, 1e-20, 1e-25, 1e-40, 1e-100, 1e10})
-      EXPECT_LE(differing(levels_of(scene_at({0, 0, 0}, size), settings), wanted), 8) << size;
+      EXPECT_LE(test::differing(levels_of(scene_at({0, 0, 0}, size), settings), wanted), 8) << size;
   }
 }
 
