@@ -9,7 +9,7 @@
 namespace ps::gui {
 
 void leave_soon(int status) {
-  constexpr std::chrono::seconds patience{3};
+  constexpr std::chrono::milliseconds patience{200};
   std::cout.flush();
   std::thread([status, patience] {
     std::this_thread::sleep_for(patience);
