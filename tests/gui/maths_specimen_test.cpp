@@ -1,11 +1,13 @@
-// Every construct of the notation of formulas as the window sets it, against kept pictures. Where the page should look
-// different, look at build/test-output/gui-maths-specimen-*/*.png and copy them to tests/gui/reference.
+// Every construct of the notation of formulas as the window sets it, against kept pictures: Debian 12 has Inter 4.0,
+// Debian 13 has Inter 4.1, whose lines are a little closer. Where the page should look different, look at
+// build/test-output/gui-maths-specimen-*/*.png and copy them to tests/gui/reference.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "gui/program.h"
 #include "image/file.h"
@@ -66,10 +68,13 @@ class MathsSpecimen : public testing::TestWithParam<Page> {};
 
 TEST_P(MathsSpecimen, LooksAsItDid) {
   const Picture now = shown(GetParam());
-  const Picture kept = ps::load_levels("tests/gui/reference/maths-" + GetParam().name + ".png");
-  ASSERT_EQ(now.width(), kept.width());
-  ASSERT_EQ(now.height(), kept.height());
-  EXPECT_EQ(moved_pixels(now, kept), 0) << GetParam().name;
+  std::vector<int> moved;
+  for (const char* release : {"", "-debian13"}) {
+    const Picture kept = ps::load_levels("tests/gui/reference/maths-" + GetParam().name + release + ".png");
+    if (kept.width() == now.width() && kept.height() == now.height()) moved.push_back(moved_pixels(now, kept));
+  }
+  ASSERT_FALSE(moved.empty()) << "the page has another size";
+  EXPECT_EQ(*std::min_element(moved.begin(), moved.end()), 0) << GetParam().name;
 }
 
 std::string page_name(const testing::TestParamInfo<Page>& tested) { return tested.param.name; }

@@ -31,7 +31,7 @@ if [[ $output == *c++\ * || $output == *pkg-config* ]]; then
 fi
 
 # Libraries: CMake does not find three of them.
-if output=$(cmake -S . -B "$folder/build" -DPIXELSCOPE_TESTS=OFF -DCMAKE_DISABLE_FIND_PACKAGE_{glm,CLI11,Freetype}=ON 2>&1); then
+if output=$(cmake -G Ninja -S . -B "$folder/build" -DPIXELSCOPE_TESTS=OFF -DCMAKE_DISABLE_FIND_PACKAGE_{glm,CLI11,Freetype}=ON 2>&1); then
   echo "CMake went on without three libraries"
   status=1
 fi

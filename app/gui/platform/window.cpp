@@ -87,8 +87,8 @@ Window::~Window() {
   ImGui::DestroyContext();
   graphics_.reset();
   SDL_DestroyWindow(window_);
-  // SDL_Quit() is left out: a worker may wake the window as it closes, by a message on a connection of SDL's own. If the
-  // X server reads it after the window has gone, closing that connection ends the program with exit status 1.
+  // SDL_Quit() is left out: a worker may wake the window as it closes, by a message on a connection of SDL's own. If
+  // the X server reads it after the window has gone, closing that connection ends the program with exit status 1.
 }
 
 bool Window::wait_events(double seconds, const std::function<void(const InputEvent&)>& sink) {

@@ -59,8 +59,9 @@ std::optional<std::uint64_t> draw_plot(const Plot& plot, const WorkLog& log, std
     for (const Side side : both_sides) largest = std::max(largest, value_of(step, side, plot.measure).value_or(0));
   draw_text(at, {at.x + width, at.y + line}, text_width(plot.title) <= width ? plot.title : plot.brief, palette().text,
             0);
-  draw_text({at.x, at.y + line}, {at.x + width, at.y + 2 * line},
-            largest > 0 ? fmt::format("0 to {}", plot.text(largest)) : "nothing counted", palette().text_quiet, 0);
+  std::string range = largest > 0 ? fmt::format("0 to {}", plot.text(largest)) : "nothing counted";
+  if (largest > 0 && text_width(range) > width) range = plot.text(largest);
+  draw_text({at.x, at.y + line}, {at.x + width, at.y + 2 * line}, range, palette().text_quiet, 0);
   const Area area{{at.x, at.y + 2 * line + px(4)}, {at.x + width, at.y + 2 * line + px(4 + plot_height)}};
   list.AddRectFilled(area.min, area.max, colour_u32(palette().field), px(2));
   list.AddLine({area.min.x, area.max.y}, area.max, colour_u32(palette().line_strong), px(1));
