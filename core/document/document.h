@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -92,6 +93,9 @@ struct Document {
   Layout layout;
   std::string lesson;  ///< folder name; empty = none
   int step = 0;        ///< of the lesson, from 0
+  /// The document before the first of several comparisons of techniques in a row (document/technique.h); nullptr = this
+  /// has no such way back. Users do not see it.
+  std::shared_ptr<const Document> before_technique;
 };
 
 /// Equal in everything that a user can see. Scenes are compared by their parts' revisions.

@@ -5,6 +5,7 @@
 #include "gui/frame/show_panel.h"
 #include "gui/panels/lesson/lesson_list.h"
 #include "gui/panels/options/value_entries.h"
+#include "gui/session/compare_technique.h"
 #include "gui/widgets/key_focus.h"
 #include "options/option.h"
 #include "scene/load.h"
@@ -29,6 +30,12 @@ std::vector<PaletteEntry> palette_entries(Session& session, LessonColumn& column
     if (lesson.fault.empty())
       entries.push_back({"lesson/" + lesson.name, lesson.title, "lesson",
                          [&session, &lesson] { go_to_step(session, lesson.name, 0); }});
+  for (const Technique& technique : technique_table())
+    for (const TechniqueChoice& choice : technique.choices)
+      entries.push_back({fmt::format("technique/{}/{}", technique.key, choice.key),
+                         technique_command(technique, choice), "compare",
+                         [&session, &technique, &choice] { compare_technique(session, technique, choice); },
+                         fmt::format("compare, {}, {}", technique.label, technique.keywords)});
   for (const Option& option : option_table())
     entries.push_back(
         {fmt::format("option/{}", option.key), fmt::format("{}: {}", option.group, option.label), "option",
