@@ -7,7 +7,7 @@
 #include "base/overloaded.h"
 #include "inspect/space_parts.h"
 #include "options/renderer_kind.h"
-#include "raytrace/accelerators.h"
+#include "raytrace/base/accelerators.h"
 
 namespace ps {
 namespace {

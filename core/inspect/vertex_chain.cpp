@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/check.h"
-#include "raster/clip.h"
+#include "raster/base/clip.h"
 #include "raster/setup/projection.h"
 
 namespace ps {

@@ -4,13 +4,13 @@
 #include "frame/display_frame.h"
 #include "frame/region.h"
 #include "image/display.h"
+#include "raster/assembly/near_pixel.h"
+#include "raster/base/fragment_event.h"
 #include "raster/clear/coverage/of_triangle.h"
 #include "raster/clear/coverage/walk.h"
-#include "raster/clear/fragment_event.h"
-#include "raster/clear/near_pixel.h"
+#include "raster/maps.h"
 #include "raster/renderer.h"
 #include "raster/replay/fragment_walk.h"
-#include "raster/shadow/fragment_shadows.h"
 
 namespace ps {
 namespace {

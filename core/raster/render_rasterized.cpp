@@ -5,14 +5,13 @@
 #include "base/timer.h"
 #include "frame/display_frame.h"
 #include "frame/region.h"
+#include "raster/base/fast_path.h"
 #include "raster/clear/canvas_items.h"
 #include "raster/fast/batch_drawer.h"
 #include "raster/fast/fast_frame.h"
-#include "raster/fast_path.h"
+#include "raster/maps.h"
 #include "raster/renderer.h"
 #include "raster/replay/fragment_walk.h"
-#include "raster/shadow/fragment_shadows.h"
-#include "raster/shadow/store_map_pictures.h"
 #include "record/recorder.h"
 
 namespace ps {

@@ -16,6 +16,5 @@ PixelStory inspect_rasterized(const Scene& scene, const View& view, const Settin
                               Prepared& prepared, Progress& progress);
 /// Throws InputError for a view with a side that is too long for the rasterizer.
 void require_rasterized_size(const View& view);
-FastPath rasterized_fast_path(const Settings& settings, const SceneTraits& traits, Channel channels);
 
 }  // namespace ps

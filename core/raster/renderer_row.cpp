@@ -1,3 +1,4 @@
+#include "raster/base/fast_path.h"
 #include "raster/renderer.h"
 #include "raster/setup/left_out.h"
 #include "raster/slow_motion.h"

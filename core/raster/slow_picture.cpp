@@ -5,10 +5,9 @@
 
 #include "frame/region.h"
 #include "raster/clear/stepping_recorder.h"
+#include "raster/maps.h"
 #include "raster/renderer.h"
 #include "raster/replay/fragment_walk.h"
-#include "raster/shadow/fragment_shadows.h"
-#include "raster/shadow/store_map_pictures.h"
 #include "record/recorder.h"
 
 namespace ps::raster {

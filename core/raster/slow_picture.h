@@ -1,7 +1,7 @@
 #pragma once
 #include "frame/slow_motion.h"
-#include "raster/clear/bins.h"
-#include "raster/pass.h"
+#include "raster/assembly/bins.h"
+#include "raster/base/pass.h"
 #include "raster/setup/draw_stage.h"
 
 namespace ps::raster {

@@ -15,6 +15,5 @@ PixelStory inspect_traced(const Scene& scene, const View& view, const Settings& 
 /// render_traced() with the samples of `plan` in place of those that the settings ask for.
 Frame render_planned(const Scene& scene, const View& view, const Settings& settings, const SamplingPlan& plan,
                      const RenderRequest& request, Prepared& prepared, Progress& progress);
-FastPath traced_fast_path(const Settings& settings, const SceneTraits& traits, Channel channels);
 
 }  // namespace ps

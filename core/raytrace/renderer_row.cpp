@@ -1,3 +1,4 @@
+#include "raytrace/base/fast_path.h"
 #include "raytrace/renderer.h"
 #include "raytrace/slow_motion.h"
 

@@ -7,9 +7,9 @@
 #include "options/renderer_kind.h"
 #include "options/robust_rays.h"
 #include "raster/setup/depth_format.h"
+#include "raytrace/base/eye_ray.h"
 #include "raytrace/clear/intersector.h"
 #include "raytrace/clear/surface.h"
-#include "raytrace/eye_ray.h"
 #include "render/precision_channels.h"
 
 namespace ps {

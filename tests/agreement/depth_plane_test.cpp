@@ -10,7 +10,7 @@
 #include <optional>
 #include <random>
 
-#include "raster/clear/depth_plane.h"
+#include "raster/base/depth_plane.h"
 #include "render/render.h"
 
 namespace ps::depth_plane_test {

@@ -6,7 +6,7 @@
 #include "image/display.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
-#include "raster/clear/multisample.h"
+#include "raster/base/multisample.h"
 #include "render/render.h"
 #include "scene/load.h"
 

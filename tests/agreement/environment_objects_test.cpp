@@ -4,7 +4,7 @@
 #include <array>
 #include <memory>
 
-#include "raster/environment/environment_map.h"
+#include "raster/maps.h"
 #include "render/left_out.h"
 #include "render/render.h"
 #include "scene/edit.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "options/scene_settings.h"
-#include "raster/environment/environment_map.h"
+#include "raster/maps.h"
 #include "raster/shadow/cube_face.h"
 #include "render/render.h"
 #include "scene/load.h"

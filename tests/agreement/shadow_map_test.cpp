@@ -5,6 +5,7 @@
 #include <numbers>
 #include <random>
 
+#include "raster/maps.h"
 #include "raster/shadow/shadow_lookup.h"
 #include "render/render.h"
 #include "scene/load.h"

@@ -6,7 +6,7 @@
 
 #include "bench/bench.h"
 #include "options/scene_settings.h"
-#include "raytrace/geometry.h"
+#include "raytrace/base/geometry.h"
 #include "raytrace/renderer.h"
 #include "render/render.h"
 #include "scene/load.h"

@@ -4,8 +4,8 @@
 #include "bench/bench.h"
 #include "bench/meshes.h"
 #include "bench/rays/ray_set.h"
+#include "raytrace/base/trace_inputs.h"
 #include "raytrace/clear/triangle_moeller_trumbore.h"
-#include "raytrace/trace_inputs.h"
 
 namespace ps::bench {
 namespace {

@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # The layers of core/ and chapters/ (core/layers.txt, lowest first): folders of one line do not include each other, and
 # none includes a later line. The lessons' listings (chapters/*/listing.cpp) are kernels of the textbook renderer and
-# count as its folder. core/layers.svg, the picture of
-# all includes between folders, must be of these sources; tests/meta/layers.sh --write draws it.
+# count as its folder. A line "FOLDER: ..." is the order inside a folder, where "." is what lies beside the others.
+# core/layers.svg, the picture of all includes between folders, must be of these sources; tests/meta/layers.sh --write
+# draws it.
 set -euo pipefail
 shopt -s globstar nullglob
 export LC_ALL=C
-layers=core/layers.txt picture=core/layers.svg
+layers=$(grep -v : core/layers.txt) picture=core/layers.svg
 
 # A source outside the folders of layers would be checked by nobody.
 homeless=$(printf '%s\n' core/*.{h,cpp} chapters/**/*.{h,cpp} |
@@ -24,11 +25,26 @@ includes() {
     awk '$1 != $3 { print ($2 ~ /^chapters\// ? $2 : "core/" $1 "/" $2), $1, $3, $4 }'
 }
 
+# The same inside the folders that have an order of their own.
+includes_inside() {
+  grep -nHP "^\s*#\s*include\s*\"$1/" core/"$1"/**/*.{h,cpp} | sed -nE 's#^core/([^:]*:[0-9]+):[^"]*"([^"]*)".*#\1 \2#p'
+}
+upwards_inside() {
+  while read -r room order; do
+    includes_inside "$room" | awk -v room="$room" -v order="$order" '
+      function folder(path,  part) { return split(path, part, "/") > 2 ? part[2] : "." }
+      BEGIN { n = split(order, name, " "); for (i = 1; i <= n; ++i) rank[name[i]] = i }
+      { from = folder($1); to = folder($2) }
+      !(from in rank) { print "core/" $1 ": the folder " room "/" from " has no place in core/layers.txt"; next }
+      rank[to] > rank[from] { print "core/" $1 ": " room "/" from " includes " $2 }'
+  done < <(sed -n 's/: / /p' core/layers.txt)
+}
+
 # base and math are one layer that may use itself: checks print vectors, and vectors are checked.
-upwards=$(includes | awk '
+upwards=$(upwards_inside; includes | awk '
   FNR == NR { for (i = 1; i <= NF; ++i) rank[$i] = FNR; next }
   !($2 in rank) { print $1 ": the folder " $2 " is in no layer of core/layers.txt"; next }
-  $3 in rank && rank[$3] >= rank[$2] && rank[$2] > 1 { print $1 ": " $2 " includes " $4 }' "$layers" -)
+  $3 in rank && rank[$3] >= rank[$2] && rank[$2] > 1 { print $1 ": " $2 " includes " $4 }' <(echo "$layers") -)
 if [[ -n $upwards ]]; then
   printf 'Includes that do not point to a lower layer:\n%s\n' "$upwards"
   exit 1
@@ -82,7 +98,7 @@ draw() {
         printf "    <text x=\"%d\" y=\"%d\">%s</text>\n", (left + right) / 2, y[folder[i]] + 5, folder[i]
       print "  </g>"
       print "</svg>"
-    }' "$layers" <(includes | sort -u -k2,3)
+    }' <(echo "$layers") <(includes | sort -u -k2,3)
 }
 
 drawn=$(draw)

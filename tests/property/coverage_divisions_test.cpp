@@ -3,8 +3,8 @@
 // perspective.
 #include <gtest/gtest.h>
 
+#include "raster/base/fragment.h"
 #include "raster/clear/coverage/walk.h"
-#include "raster/clear/fragment.h"
 
 namespace ps::raster::coverage_divisions_test {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "base/machine.h"
 #include "options/scene_settings.h"
+#include "raytrace/base/trace_inputs.h"
 #include "raytrace/clear/intersector.h"
-#include "raytrace/trace_inputs.h"
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/environment.h"

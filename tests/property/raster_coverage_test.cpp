@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "raster/edge_function.h"
+#include "raster/base/edge_function.h"
 
 namespace ps::raster::raster_coverage_test {
 namespace {

@@ -13,7 +13,7 @@
 #include "accel/bvh.h"
 #include "accel/octree.h"
 #include "accel/triangle_box.h"
-#include "raytrace/trace_inputs.h"
+#include "raytrace/base/trace_inputs.h"
 #include "render/render.h"
 #include "scene/scene_file.h"
 

@@ -6,7 +6,7 @@
 
 #include "inspect/describe.h"
 #include "inspect/space_model.h"
-#include "raytrace/accelerators.h"
+#include "raytrace/base/accelerators.h"
 #include "record/event_fields.h"
 #include "render/render.h"
 #include "scene/load.h"

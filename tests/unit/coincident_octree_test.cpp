@@ -10,8 +10,8 @@
 #include "base/parallel.h"
 #include "base/stop.h"
 #include "frame/prepared.h"
-#include "raytrace/accelerators.h"
-#include "raytrace/trace_inputs.h"
+#include "raytrace/base/accelerators.h"
+#include "raytrace/base/trace_inputs.h"
 #include "render/render.h"
 #include "scene/scene_file.h"
 

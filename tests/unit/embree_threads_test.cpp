@@ -12,9 +12,9 @@
 #include "base/machine.h"
 #include "base/progress.h"
 #include "base/stop.h"
-#include "raytrace/embree_triangles.h"
-#include "raytrace/eye_ray.h"
-#include "raytrace/trace_inputs.h"
+#include "raytrace/base/embree_triangles.h"
+#include "raytrace/base/eye_ray.h"
+#include "raytrace/base/trace_inputs.h"
 #include "scene/load.h"
 #include "support/trials.h"
 

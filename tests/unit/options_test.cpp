@@ -9,7 +9,7 @@
 #include "base/machine.h"
 #include "options/option.h"
 #include "options/rows.h"
-#include "raytrace/embree_triangles.h"
+#include "raytrace/base/embree_triangles.h"
 
 namespace ps {
 namespace options_test {

@@ -1,4 +1,4 @@
-#include "raster/clip.h"
+#include "raster/base/clip.h"
 
 #include <cmath>
 #include <random>

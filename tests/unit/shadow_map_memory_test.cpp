@@ -5,7 +5,7 @@
 #include "base/available_memory.h"
 #include "base/check.h"
 #include "frame/prepared.h"
-#include "raster/shadow/shadow_map.h"
+#include "raster/maps.h"
 #include "render/render.h"
 #include "scene/scene_file.h"
 

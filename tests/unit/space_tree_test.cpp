@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "raytrace/accelerators.h"
+#include "raytrace/base/accelerators.h"
 #include "render/render.h"
 #include "scene/scene_file.h"
 

@@ -5,13 +5,13 @@
 
 #include "frame/working_scene.h"
 #include "inspect/microscope/texels.h"
+#include "raster/assembly/near_pixel.h"
+#include "raster/base/fragment_event.h"
+#include "raster/base/guard_band.h"
+#include "raster/base/multisample.h"
 #include "raster/clear/canvas_outline.h"
-#include "raster/clear/fragment_event.h"
-#include "raster/clear/multisample.h"
-#include "raster/clear/near_pixel.h"
 #include "raster/clear/polygon_rows.h"
 #include "raster/clear/shade_fragment.h"
-#include "raster/guard_band.h"
 #include "raster/replay/pixel_replay.h"
 #include "render/story/names.h"
 

@@ -2,8 +2,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "raster/clear/canvas_line.h"
-#include "raster/target.h"
+#include "raster/assembly/canvas_line.h"
+#include "raster/base/target.h"
 
 namespace ps::raster {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "raster/clear/canvas_line.h"
+#include "raster/assembly/canvas_line.h"
 #include "raster/clear/lines/walk_line.h"
 
 namespace ps::raster {

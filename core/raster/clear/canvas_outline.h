@@ -18,8 +18,8 @@ struct CanvasOutline {
 /// between them; no picture has a longer side than that many.
 inline constexpr double farthest_vertex = 1 << 16;
 
-/// The pixels are those that lines light at the vertices (raster/lines/walk_line.h). Empty where nothing of the shape
-/// is as near as that. The vertices must be finite.
+/// The pixels are those that lines light at the vertices (raster/clear/lines/walk_line.h). Empty where nothing of the
+/// shape is as near as that. The vertices must be finite.
 CanvasOutline canvas_outline(const CanvasTriangle& triangle, const Vec2i& picture_size, SamplePosition position);
 CanvasOutline canvas_outline(const CanvasPolygon& polygon, const Vec2i& picture_size, SamplePosition position);
 

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <optional>
 
+#include "raster/assembly/set_up_triangle.h"
+#include "raster/base/fragment_event.h"
 #include "raster/clear/canvas_items.h"
 #include "raster/clear/coverage/explain.h"
 #include "raster/clear/coverage/of_triangle.h"
-#include "raster/clear/fragment_event.h"
-#include "raster/clear/set_up_triangle.h"
+#include "raster/clear/shade_fragment.h"
 #include "raster/clear/stepping_recorder.h"
 
 namespace ps::raster {

@@ -1,8 +1,8 @@
 #pragma once
 #include <span>
 
-#include "raster/clear/bins.h"
-#include "raster/target.h"
+#include "raster/assembly/bins.h"
+#include "raster/base/target.h"
 
 namespace ps::raster {
 

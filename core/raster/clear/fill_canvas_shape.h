@@ -5,12 +5,12 @@
 #include <type_traits>
 
 #include "image/mixing.h"
+#include "raster/base/fragment_event.h"
+#include "raster/base/guard_band.h"
+#include "raster/base/pass.h"
+#include "raster/base/target.h"
 #include "raster/clear/canvas_outline.h"
-#include "raster/clear/fragment_event.h"
 #include "raster/clear/polygon_rows.h"
-#include "raster/guard_band.h"
-#include "raster/pass.h"
-#include "raster/target.h"
 #include "record/recorder.h"
 
 /// Filled triangles and convex polygons on the canvas (CGFS ch. 7; LAB 4).

@@ -9,7 +9,6 @@
 #include "options/option.h"
 #include "raster/environment/draw_environment.h"
 #include "raster/environment/map_sources.h"
-#include "raster/renderer.h"
 #include "raster/shadow/map_picture.h"
 #include "raster/shadow/shadow_map.h"
 
@@ -216,20 +215,6 @@ std::shared_ptr<const EnvironmentMaps> draw_environment_maps(const Scene& scene,
     }
   }
   return maps;
-}
-
-std::shared_ptr<const EnvironmentMaps> environment_maps(const Scene& scene, const Settings& settings,
-                                                        Prepared& prepared, WorkerPriority priority,
-                                                        Progress& progress) {
-  Settings own_settings = settings;
-  own_settings.renderer = Renderer::rasterizer;
-  RenderRequest request;
-  request.priority = priority;
-  Prepared own;  // the objects shown are a scene of their own; its products would push out the picture's
-  return draw_environment_maps(scene, own_settings, prepared, 1,
-                               [&](const Scene& shown, const View& view, const Settings& plain) {
-                                 return render_rasterized(shown, view, plain, request, own, progress).colour;
-                               });
 }
 
 void lay_out_environment(const EnvironmentMap& map, Image<Vec3f>& picture) {

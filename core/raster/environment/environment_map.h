@@ -31,15 +31,6 @@ using EnvironmentMaps = std::vector<std::shared_ptr<const EnvironmentMap>>;
 /// Is the option on, and does anything mirror?
 bool uses_environment(const Settings& settings, const Scene& scene);
 
-/// With environment = cube-map each mirroring object has a map of its own, made at its centre, of all other objects
-/// (without what those mirror themselves). With room-map all share one: that of the objects without reflections,
-/// rendered from their centre, wherever the reflective objects are. Each is cached in `prepared` until something
-/// changes that can be seen in it: with environment-objects = static a dynamic object that moves changes none but its
-/// own, and a mirror that moves never changes that of the room.
-std::shared_ptr<const EnvironmentMaps> environment_maps(const Scene& scene, const Settings& settings,
-                                                        Prepared& prepared, WorkerPriority priority,
-                                                        Progress& progress);
-
 /// The map unfolded as a cross over the picture's area; pixels outside it stay as they are.
 void lay_out_environment(const EnvironmentMap& map, Image<Vec3f>& picture);
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "raster/clear/fragment.h"
+#include "raster/base/fragment.h"
 #include "raster/environment/environment_map.h"
 #include "raster/shadow/cube_face.h"
 #include "shade/illumination.h"

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "raster/clear/assemble.h"
+#include "raster/assembly/assemble.h"
 
 namespace ps::raster {
 
@@ -70,7 +70,6 @@ struct AssemblyRules {
   /// 29, and an edge value up to a vector beyond the box still fits 31.
   std::int32_t large = 1 << 14;
 };
-inline constexpr int fast_subpixel_bits = 8;  ///< at most
 
 /// Triangles whose box has at most this many samples on each side are tested for whether they cover any.
 inline constexpr int tiny_side = 4;
@@ -84,7 +83,7 @@ struct AssembledBlock {
   FastTriangle* triangles = nullptr;  ///< room for every triangle
 };
 
-/// Repeats raster/clear/assemble.cpp for many triangles at once.
+/// Repeats raster/assembly/assemble.cpp for many triangles at once.
 using AssembleBlock = void (*)(const AssemblyRules& rules, const TriangleBlock& block, AssembledBlock& result);
 AssembleBlock assemble_kernel(Simd simd);
 

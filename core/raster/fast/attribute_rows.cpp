@@ -4,8 +4,8 @@
 #include <cstring>
 
 #include "hwy/cache_control.h"
-#include "raster/clear/fragment.h"
-#include "raster/corner_attributes.h"
+#include "raster/assembly/corner_attributes.h"
+#include "raster/base/fragment.h"
 
 namespace ps::raster {
 namespace {

@@ -1,10 +1,10 @@
 #include "raster/fast/batch_drawer.h"
 
 #include "math/has_nan.h"
+#include "raster/assembly/set_up_triangle.h"
+#include "raster/base/fast_path.h"
 #include "raster/clear/coverage/of_triangle.h"
 #include "raster/clear/draw_primitives.h"
-#include "raster/clear/set_up_triangle.h"
-#include "raster/fast_path.h"
 
 namespace ps::raster {
 

@@ -1,10 +1,11 @@
 #pragma once
 #include <span>
 
+#include "raster/assembly/screen_geometry.h"
+#include "raster/base/target.h"
 #include "raster/fast/packed_textures.h"
 #include "raster/fast/scan_triangle.h"
 #include "raster/fast/shade_batch.h"
-#include "raster/target.h"
 #include "record/recorder.h"
 
 namespace ps::raster {

@@ -4,10 +4,10 @@
 #include <memory>
 
 #include "base/timer.h"
+#include "raster/assembly/vertex_stage.h"
 #include "raster/fast/assembly.h"
 #include "raster/fast/resolve.h"
 #include "raster/fast/vertices.h"
-#include "raster/vertex_stage.h"
 
 namespace ps::raster {
 namespace {

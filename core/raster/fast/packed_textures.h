@@ -2,8 +2,8 @@
 #include <memory>
 #include <vector>
 
+#include "raster/base/pass.h"
 #include "raster/fast/packed_texture.h"
-#include "raster/pass.h"
 
 namespace ps::raster {
 

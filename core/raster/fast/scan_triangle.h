@@ -2,7 +2,7 @@
 #include <cstdint>
 
 #include "options/settings.h"
-#include "raster/edge_function.h"
+#include "raster/base/edge_function.h"
 #include "raster/fast/shade_batch.h"
 
 namespace ps::raster {

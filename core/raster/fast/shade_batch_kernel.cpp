@@ -24,7 +24,7 @@ using shading::D;
 using shading::V;
 using shading::V3;
 
-/// Fragments of one triangle: interpolate() of raster/clear/fragment.h.
+/// Fragments of one triangle: interpolate() of raster/base/fragment.h.
 class OneTriangle {
  public:
   HWY_INLINE OneTriangle(const BatchShading& shading, const ShadeBatch& batch, int lane)

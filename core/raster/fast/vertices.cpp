@@ -1,7 +1,7 @@
 #include "raster/fast/vertices.h"
 
-#include "raster/vertex_jobs.h"
-#include "raster/vertex_stage.h"
+#include "raster/assembly/vertex_jobs.h"
+#include "raster/assembly/vertex_stage.h"
 
 namespace ps::raster {
 namespace {

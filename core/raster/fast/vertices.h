@@ -1,5 +1,5 @@
 #pragma once
-#include "raster/pass.h"
+#include "raster/base/pass.h"
 
 namespace ps::raster {
 
@@ -35,7 +35,8 @@ using TransformPositions = void (*)(const VertexTransform& transform, const Vert
                                     const VertexOutput& output);
 using TransformNormals = void (*)(const Mat3d& matrix, const Vec3d* normals, std::size_t count, Vec4f* result);
 
-/// Repeat raster/vertex_stage.cpp and CanvasProjection::from_top_left to the last bit, several vertices at once.
+/// Repeat raster/assembly/vertex_stage.cpp and CanvasProjection::from_top_left to the last bit, several vertices at
+/// once.
 struct VertexKernels {
   TransformPositions positions = nullptr;
   TransformNormals normals = nullptr;

@@ -2,8 +2,8 @@
 
 #include <variant>
 
-#include "raster/clear/depth_test.h"
-#include "raster/clear/set_up_triangle.h"
+#include "raster/assembly/set_up_triangle.h"
+#include "raster/base/depth_test.h"
 #include "raster/replay/fragment_walk.h"
 #include "record/recorder.h"
 

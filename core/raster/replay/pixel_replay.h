@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "raster/clear/bins.h"
-#include "raster/clear/fragment.h"
+#include "raster/assembly/bins.h"
+#include "raster/base/fragment.h"
 
 namespace ps::raster {
 

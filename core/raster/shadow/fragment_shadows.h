@@ -1,5 +1,5 @@
 #pragma once
-#include "raster/pass.h"
+#include "raster/base/pass.h"
 #include "raster/shadow/shadow_lookup.h"
 #include "raster/shadow/stencil.h"
 #include "shade/illumination.h"
@@ -48,10 +48,5 @@ class FragmentShadows {
   Recorder& recorder_;
   std::uint32_t mask_ = 0;
 };
-
-/// Makes the shadow maps, stencil buffers (for the pixels of `rect`) and environment maps that the settings ask for.
-template <class Real>
-void add_maps(Pass<Real>& pass, const Scene& scene, const View& view, const TileRect& rect, StencilNotes notes,
-              Prepared& prepared, const ParallelOptions& parallel, Progress& progress);
 
 }  // namespace ps::raster

@@ -6,7 +6,6 @@
 
 #include "base/available_memory.h"
 #include "math/unit.h"
-#include "raster/renderer.h"
 #include "raster/setup/draw_list.h"
 #include "raster/shadow/draw_maps.h"
 
@@ -199,19 +198,6 @@ Key shadow_maps_key(std::string_view product, const Scene& scene, const Settings
       .add(std::uint64_t(settings.shadow_map_size))
       .add(settings.tessellation)
       .add(settings.patches);
-}
-
-std::shared_ptr<const ShadowMaps> shadow_maps(const Scene& scene, const Settings& settings, Prepared& prepared,
-                                              WorkerPriority priority, Progress& progress) {
-  return prepared.get<ShadowMaps>(shadow_maps_key("shadow-maps", scene, settings), [&] {
-    return draw_shadow_maps(scene, settings, [&](const Scene& dark, const View& view, const Settings& plain) {
-      Prepared own;  // six views would push the picture's own products out of the shared one
-      RenderRequest request;
-      request.channels = Channel::depth;
-      request.priority = priority;
-      return render_rasterized(dark, view, plain, request, own, progress).depth;
-    });
-  });
 }
 
 }  // namespace ps::raster

@@ -42,12 +42,6 @@ bool throws_shadow(const Scene& scene, const Object& object);
 /// Is the option on, and is there light to block?
 bool uses_shadow_maps(const Settings& settings, const Scene& scene);
 
-/// Draws the scene from each light, with the rasterizer itself. Cached in `prepared` for as long as geometry, lights,
-/// materials, size and tessellation stay what they are. Transparent objects cast no shadow, as for rays. Throws
-/// InputError where the maps together, which are all read for every pixel, need more memory than there is.
-std::shared_ptr<const ShadowMaps> shadow_maps(const Scene& scene, const Settings& settings, Prepared& prepared,
-                                              WorkerPriority priority, Progress& progress);
-
 /// All objects but those that dwarf the rest, such as a ground, so that a map spends its texels where shadows begin:
 /// along a directional light a shadow lies straight behind its object, so nothing that is beside these can be in their
 /// shadow. Much larger objects cast shadows into a map only from behind its nearest of them.

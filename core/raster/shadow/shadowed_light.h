@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <vector>
 
-#include "raster/clear/fragment.h"
-#include "raster/clear/geometry.h"
-#include "raster/clear/light_at.h"
-#include "raster/corner_attributes.h"
+#include "raster/assembly/corner_attributes.h"
+#include "raster/assembly/screen_geometry.h"
+#include "raster/assembly/vertex_light.h"
+#include "raster/base/fragment.h"
+#include "raster/base/light_at.h"
 #include "raster/shadow/fragment_shadows.h"
-#include "raster/vertex_light.h"
 
 namespace ps::raster {
 

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "base/available_memory.h"
-#include "raster/clear/bins.h"
-#include "raster/clear/fragment.h"
+#include "raster/assembly/bins.h"
+#include "raster/base/fragment.h"
 #include "raster/shadow/shadow_volume.h"
 
 namespace ps::raster {

@@ -1,7 +1,7 @@
 #include "raytrace/clear/clear_tiles.h"
 
+#include "raytrace/clear/store_pixel.h"
 #include "raytrace/clear/tile_rays.h"
-#include "raytrace/store_pixel.h"
 
 namespace ps {
 namespace {

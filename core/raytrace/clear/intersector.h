@@ -3,11 +3,11 @@
 #include <cmath>
 #include <span>
 
+#include "raytrace/base/ray_search.h"
+#include "raytrace/base/trace_inputs.h"
 #include "raytrace/clear/csg.h"
 #include "raytrace/clear/sphere_robust.h"
 #include "raytrace/clear/triangle_watertight.h"
-#include "raytrace/ray_search.h"
-#include "raytrace/trace_inputs.h"
 #include "record/recorder.h"
 
 namespace ps {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "options/settings.h"
+#include "raytrace/base/geometry.h"
 #include "raytrace/clear/sphere_robust.h"
-#include "raytrace/geometry.h"
 
 namespace ps {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <cmath>
 
-#include "raytrace/geometry.h"
-#include "raytrace/ray.h"
+#include "raytrace/base/geometry.h"
+#include "raytrace/base/ray.h"
 
 namespace ps {
 

@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include "math/unit.h"
+#include "raytrace/base/ray.h"
+#include "raytrace/base/trace_inputs.h"
 #include "raytrace/clear/csg.h"
 #include "raytrace/clear/triangle_watertight.h"
-#include "raytrace/ray.h"
-#include "raytrace/trace_inputs.h"
 #include "scene/uv_maps.h"
 #include "shade/illumination.h"
 

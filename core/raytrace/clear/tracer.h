@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "image/texture_sampling.h"
+#include "raytrace/base/eye_ray.h"
 #include "raytrace/clear/eye_media.h"
 #include "raytrace/clear/intersector.h"
 #include "raytrace/clear/medium.h"
 #include "raytrace/clear/surface.h"
-#include "raytrace/eye_ray.h"
 
 namespace ps {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <cmath>
 
+#include "raytrace/base/geometry.h"
 #include "raytrace/clear/triangle_result.h"
-#include "raytrace/geometry.h"
 
 namespace ps {
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "raytrace/base/geometry.h"
 #include "raytrace/clear/triangle_result.h"
-#include "raytrace/geometry.h"
 
 namespace ps {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "raytrace/tile_tracer.h"
+#include "raytrace/base/tile_tracer.h"
 
 namespace ps {
 

@@ -6,7 +6,7 @@
 #include "base/counters.h"
 #include "base/parallel.h"
 #include "frame/frame.h"
-#include "raytrace/trace_inputs.h"
+#include "raytrace/base/trace_inputs.h"
 
 namespace ps {
 

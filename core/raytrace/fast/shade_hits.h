@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "frame/frame.h"
+#include "raytrace/base/trace_inputs.h"
 #include "raytrace/fast/wide_packet.h"
-#include "raytrace/trace_inputs.h"
 
 namespace ps {
 

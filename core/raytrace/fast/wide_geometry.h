@@ -4,7 +4,7 @@
 
 #include "accel/octree.h"
 #include "accel/wide_bvh.h"
-#include "raytrace/geometry.h"
+#include "raytrace/base/geometry.h"
 
 namespace ps {
 

@@ -2,10 +2,10 @@
 #include <memory>
 #include <optional>
 
+#include "raytrace/base/trace_inputs.h"
 #include "raytrace/fast/wide_geometry.h"
 #include "raytrace/fast/wide_packet.h"
 #include "raytrace/fast/wide_search.h"
-#include "raytrace/trace_inputs.h"
 
 namespace ps {
 

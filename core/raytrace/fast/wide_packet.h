@@ -3,8 +3,8 @@
 
 #include "accel/wide_bvh.h"
 #include "options/settings.h"
+#include "raytrace/base/ray.h"
 #include "raytrace/fast/wide_search.h"
-#include "raytrace/ray.h"
 
 namespace ps {
 

@@ -3,7 +3,7 @@
 
 #include "accel/wide_bvh.h"
 #include "options/settings.h"
-#include "raytrace/ray.h"
+#include "raytrace/base/ray.h"
 
 namespace ps {
 

@@ -1,10 +1,10 @@
 #include <array>
 
+#include "raytrace/clear/store_pixel.h"
 #include "raytrace/clear/tile_rays.h"
 #include "raytrace/fast/fast_intersector.h"
 #include "raytrace/fast/fast_tiles.h"
 #include "raytrace/fast/packet_shader.h"
-#include "raytrace/store_pixel.h"
 
 namespace ps {
 namespace {

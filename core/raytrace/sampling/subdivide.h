@@ -1,9 +1,8 @@
 #pragma once
-#include <vector>
-
+#include "base/parallel.h"
+#include "frame/frame.h"
 #include "raytrace/sampling/compare.h"
 #include "raytrace/sampling/plan.h"
-#include "raytrace/trace_inputs.h"
 
 namespace ps {
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "raytrace/geometry.h"
+#include "raytrace/base/geometry.h"
 
 namespace ps::stability {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 
-#include "raster/edge_function.h"
+#include "raster/base/edge_function.h"
 #include "study/stability/support.h"
 
 namespace ps::stability {

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "options/renderer_kind.h"
-#include "raster/vertex_stage.h"
+#include "raster/assembly/vertex_stage.h"
 #include "scene/scene_file.h"
 #include "study/stability/support.h"
 

@@ -1,6 +1,6 @@
+#include "raster/base/edge_function.h"
 #include "raster/clear/coverage/inexact_edges.h"
 #include "raster/clear/interpolate.h"
-#include "raster/edge_function.h"
 #include "study/stability/jittered_mesh.h"
 
 namespace ps::stability::fill_rules {

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "options/renderer_kind.h"
-#include "raster/clear/depth_test.h"
-#include "raster/clear/geometry.h"
+#include "raster/assembly/screen_geometry.h"
+#include "raster/base/depth_test.h"
 #include "study/stability/support.h"
 
 namespace ps::stability::inverse_depth {

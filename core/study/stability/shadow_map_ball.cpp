@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "raster/shadow/shadow_map.h"
+#include "raster/maps.h"
 
 namespace ps::stability {
 

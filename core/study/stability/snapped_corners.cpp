@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "options/renderer_kind.h"
-#include "raster/edge_function.h"
+#include "raster/base/edge_function.h"
 #include "scene/generate/uv_sphere.h"
 #include "study/stability/jittered_mesh.h"
 

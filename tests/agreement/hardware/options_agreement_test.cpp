@@ -13,6 +13,7 @@
 #include "hardware/lacks.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
+#include "raster/maps.h"
 #include "render/render.h"
 #include "scene/load.h"
 

@@ -2,7 +2,7 @@
 #include <span>
 
 #include "bench/rays/ray_set.h"
-#include "raytrace/embree_version.h"
+#include "raytrace/base/embree_version.h"
 
 namespace ps::bench {
 

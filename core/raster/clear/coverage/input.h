@@ -1,6 +1,6 @@
 #pragma once
 #include "frame/region.h"
-#include "raster/edge_function.h"
+#include "raster/base/edge_function.h"
 
 namespace ps::raster {
 

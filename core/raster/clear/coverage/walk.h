@@ -1,6 +1,6 @@
 #pragma once
+#include "raster/base/coverage_choice.h"
 #include "raster/clear/coverage/barycentric.h"
-#include "raster/clear/coverage/choice.h"
 #include "raster/clear/coverage/hierarchical.h"
 #include "raster/clear/coverage/hoisted.h"
 #include "raster/clear/coverage/incremental.h"
