@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "hardware/draw_passes.h"
+#include "options/option.h"
 #include "raster/setup/textures.h"
 
 namespace ps::hardware {
@@ -47,24 +48,23 @@ int depth_number(DepthValue value) {
   return 0;
 }
 
-/// What holds for the whole picture. `shading` is 0 where nothing is lit.
+/// What holds for the whole picture: options that the shaders know by name, and what follows from several of them.
+/// `shading` is 0 where nothing is lit.
 Lines of_picture(const PicturePlan& plan, int shading, bool clip_control, ProgramUse use) {
   const Settings& s = plan.settings;
   Lines lines;
+  for (const Option& option : option_table())
+    if (const std::string_view name = option.known_to.hardware.definition; !name.empty())
+      lines.add(name, static_cast<int>(option.get(s)));
   lines.add("PERSPECTIVE", plan.perspective())
       .add("AFFINE", plan.affine())
-      .add("CAMERA_RELATIVE", s.camera_relative)
       .add("SNAPPED", s.vertex_snapping == VertexSnapping::cpu && s.draw == Draw::filled)
       .add("CLIP_CONTROL", clip_control)
       .add("SHADING", shading)
       .add("LIGHTS", static_cast<int>(plan.lights.size()))
-      .add("RADIOMETRIC", s.illumination == Illumination::radiometric)
-      .add("ATTENUATION", s.attenuation)
-      .add("BLINN_PHONG", s.highlight == Highlight::blinn_phong)
       .add("ONE_LIGHT", lights_separately(plan))
       .add("EXACT_PLACES", plan.exact_places)
       .add("SHADOW_MAPS", plan.maps_shadows)
-      .add("SHADOW_FILTER", s.shadow_filter)
       .add("DEPTH_BY_SHADER", !driver_keeps_depth(plan, clip_control))
       .add("DEPTH_VALUE", depth_number(plan.depth.value))
       .add("DEPTH_FORMAT", static_cast<int>(plan.depth.format))
@@ -90,9 +90,7 @@ std::string definitions(const PicturePlan& plan, const raster::Surface<float>& s
   const bool ambient_map = has_uv && layout.light_maps && material.ambient_map >= 0;
   Lines lines = of_picture(plan, shading_number(s), clip_control, use);
   lines.add("SPECULAR", s.specular && material.specular.has_value())
-      .add("CORNER_NORMALS", s.normals == Normals::vertex)
       .add("INTERPOLATED_NORMAL", layout.normal != raster::AttributeLayout::absent)
-      .add("RENORMALISE", s.renormalise)
       .add("READS_TEXTURES", texture || opacity || specular_map || ambient_map || normal_map || relief)
       .add("TEXTURE", texture)
       .add("OPACITY_MAP", opacity)
@@ -101,16 +99,13 @@ std::string definitions(const PicturePlan& plan, const raster::Surface<float>& s
       .add("NORMAL_MAP", normal_map)
       .add("RELIEF", normal_map || relief)
       .add("PARALLAX", relief ? static_cast<int>(s.parallax) : 0)
-      .add("PARALLAX_STEPS", s.parallax_steps)
       .add("MIRRORS", mirrors(plan, surface))
       .add("REFLECTION_MAP", reflects_picture(plan, surface))
       .add("CUBE_CROSS", material.surroundings == Surroundings::cube)
       .add("DEFERRED", plan.defers)
       .add("LIMITS_BY_SHADER", plan.counts_volumes)
       .add("SHADES_WHOLE_PICTURE", 0)
-      .add("TEXTURE_FILTER", static_cast<int>(s.texture_filter))
       .add("ANISOTROPY", raster::reads_mip_levels(s.texture_filter) ? s.anisotropy : 1)
-      .add("HARDWARE_TEXTURING", s.hardware_texturing == HardwareTexturing::driver)
       .add("CHANNELS", plan.channels != Channel::none)
       .add("NORMAL_CHANNEL", layout.shading_normal);
   return lines.take();

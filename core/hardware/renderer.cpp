@@ -10,9 +10,9 @@
 namespace ps {
 namespace {
 
-/// Two options are its own; of all others it uses what it does not lack.
+/// Some options are its own; of all others it uses what it does not lack.
 std::optional<bool> reads(const Option& option, const Settings&, const SceneTraits&) {
-  if (option.key == "vertex-snapping" || option.key == "hardware-texturing") return true;
+  if (option.acts_for == ActsFor::readers && option.known_to.hardware.asked) return true;
   return {};
 }
 

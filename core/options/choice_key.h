@@ -7,18 +7,17 @@
 
 namespace ps {
 
-/// The only option in which the two differ.
-const Option& option_that_differs(const Settings& one, const Settings& other);
+/// Its address names a member of Settings.
+template <auto Member>
+inline constexpr char member_id = 0;
+
+/// The option with this Option::member.
+const Option& option_with(const void* member);
 
 /// The option that sets this member of Settings; each member has exactly one.
 template <auto Member>
 const Option& option_of() {
-  static const Option& found = [&]() -> const Option& {
-    Settings one, other;
-    one.*Member = {};
-    other.*Member = static_cast<std::remove_cvref_t<decltype(other.*Member)>>(1);
-    return option_that_differs(one, other);
-  }();
+  static const Option& found = option_with(&member_id<Member>);
   return found;
 }
 

@@ -52,19 +52,26 @@ Reason needs_patches(const Settings&, const SceneTraits& t) {
   return {};
 }
 
+constexpr std::string_view common_coverage = "SIMD needs coverage = edge-function in 64-bit integers";
+constexpr std::string_view own_coverage = "the driver has its own coverage test";
+
 }  // namespace
 
 std::vector<Option> drawing_rows() {
   return {
-      choice<&Settings::draw>({.key = "draw",
-                               .label = "Draw",
-                               .help = {"The part of each triangle that is drawn.", "CGFS ch. 6 and 7", ""},
-                               .keywords = "wireframe, lines, points, polygon mode, fill mode",
-                               .truth = other_picture(),
-                               .acts_for = ActsFor::fragments},
-                              {{"filled", "filled", "All pixels that it covers."},
-                               {"wireframe", "wireframe", "Its three edges."},
-                               {"points", "points", "Its three vertices."}}),
+      choice<&Settings::draw>(
+          {.key = "draw",
+           .label = "Draw",
+           .help = {"The part of each triangle that is drawn.", "CGFS ch. 6 and 7", ""},
+           .keywords = "wireframe, lines, points, polygon mode, fill mode",
+           .truth = other_picture(),
+           .acts_for = ActsFor::fragments,
+           .known_to = {.fast = {knows(fragment_batches, 10, Draw::filled).said("SIMD draws filled triangles only")},
+                        .hardware = any_value},
+           .shown_by = {.experiments = none, .scenes = {{"cgfs/crates"}}}},
+          {{"filled", "filled", "All pixels that it covers."},
+           {"wireframe", "wireframe", "Its three edges."},
+           {"points", "points", "Its three vertices."}}),
       choice<&Settings::canvas_fill>(
           {.key = "canvas-fill",
            .label = "Fill of canvas shapes",
@@ -74,7 +81,10 @@ std::vector<Option> drawing_rows() {
            .keywords = "polygon fill, scanline, row, span, Interpolate, ComputePolygonRows",
            .truth = exactly("canvas-fill=edge-functions"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_canvas_triangles},
+           .inactive = needs_canvas_triangles,
+           .known_to = {.fast = any_value,
+                        .hardware = lacking("the driver fills shapes by its own coverage test", CanvasFill::rows)},
+           .shown_by = {.experiments = none, .scenes = {{"lab/polygons"}}}},
           {{"edge-functions", "edge functions",
             "Three edge functions for each sample, and the fill rule; polygons as triangles around their first "
             "vertex."},
@@ -89,7 +99,9 @@ std::vector<Option> drawing_rows() {
            .keywords = "Bresenham, DDA, line drawing, gaps, staircase",
            .truth = exactly("line-algorithm=bresenham"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_lines},
+           .inactive = needs_lines,
+           .known_to = {.fast = any_value, .hardware = lacking("the driver has its own line algorithm")},
+           .shown_by = {.experiments = {{"interpolate-drift"}}, .scenes = {{"cgfs/wireframe"}}}},
           {{"general", "general", "Steps along the axis in which the line is longer."},
            {"y-of-x", "y = f(x) alone", "One pixel for each column: steep lines have gaps."},
            {"x-of-y", "x = f(y) alone", "One pixel for each row: flat lines have gaps."},
@@ -106,7 +118,12 @@ std::vector<Option> drawing_rows() {
            .keywords = "inside test, point in triangle, half-space, scan conversion, fill, rasterization",
            .truth = exactly("coverage=edge-function;edge-arithmetic=fixed"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_single_samples},
+           .inactive = needs_single_samples,
+           .known_to = {.fast = {knows(fragment_batches, 60, Coverage::edge_function).said(common_coverage)},
+                        .hardware = lacking(own_coverage)},
+           .shown_by = {.experiments = {{"coverage-growth"}, {"inclusive-scanlines"}},
+                        .scenes = {{"lab/depth-complexity", "subpixel-bits=12"},
+                                   {"cgfs/behind", "subpixel-bits=12;clipping=near"}}}},
           {{"edge-function", "edge functions",
             "Three edge functions for each sample of the bounding box, updated incrementally in integers."},
            {"ray-test", "ray test", "Intersects a ray through every pixel of the picture with every triangle."},
@@ -129,7 +146,19 @@ std::vector<Option> drawing_rows() {
            .keywords = "overflow, fixed point, integer, cracks, precision, half-space",
            .truth = exactly("edge-arithmetic=fixed"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_edge_functions},
+           .inactive = needs_edge_functions,
+           .known_to = {.fast = {knows(fragment_batches, 60, EdgeArithmetic::fixed).said(common_coverage)},
+                        .hardware = lacking(own_coverage)},
+           .shown_by = {.experiments = {{"fill-rule-adversarial",
+                                         [](const Settings& s) {
+                                           return s.edge_arithmetic == EdgeArithmetic::float32 ||
+                                                  s.edge_arithmetic == EdgeArithmetic::float_stepped;
+                                         },
+                                         "edge-arithmetic=fixed"},
+                                        {"int32-edge-functions", is<&Settings::edge_arithmetic, EdgeArithmetic::int32>,
+                                         "edge-arithmetic=fixed"},
+                                        {"stepped-edge-drift"}},
+                        .scenes = {{"cgfs/behind", "subpixel-bits=12;clipping=near"}}}},
           {{"fixed", "64-bit integers", "Exact for every triangle that fits."},
            {"float", "float",
             "Evaluates each sample anew; two triangles may round their shared edge to different sides."},
@@ -145,7 +174,10 @@ std::vector<Option> drawing_rows() {
            .keywords = "AA, MSAA, antialias, antialiasing, anti-aliasing, jaggies, staircase, edges, coverage samples",
            .truth = pixel_average(),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_filling},
+           .inactive = needs_filling,
+           .known_to = {.fast = {knows(fragment_batches, 50, 1)},
+                        .hardware = as_driver_offers("the driver does not offer this number of samples per pixel")},
+           .shown_by = {.experiments = none, .scenes = {{"cgfs/crates"}}}},
           1, 8, "samples"),
       integer<&Settings::subpixel_bits>(
           {.key = "subpixel-bits",
@@ -156,7 +188,16 @@ std::vector<Option> drawing_rows() {
            .keywords = "snapping, fixed point, vertex precision, wobble, jitter",
            .truth = exactly("subpixel-bits=12"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_edges_of_fills},
+           .inactive = needs_edges_of_fills,
+           .known_to = {.fast = {limit(whole_tiles, 40, "whole tiles need at most 8 sub-pixel bits",
+                                       [](const Settings& s, const SceneTraits&) {
+                                         return s.subpixel_bits > fast_subpixel_bits;
+                                       })},
+                        .hardware = lacking("the driver has a fixed number of sub-pixel bits")},
+           .shown_by = {.experiments = {{"sub-pixel-bits", [](const Settings& s) { return s.subpixel_bits < 8; },
+                                         "subpixel-bits=8"},
+                                        {"ray-vs-raster-agreement"}},
+                        .scenes = {{"cgfs/crates"}}}},
           0, 12, "bits"),
       choice<&Settings::fill_rule>(
           {.key = "fill-rule",
@@ -166,7 +207,12 @@ std::vector<Option> drawing_rows() {
            .keywords = "top-left rule, shared edge, double hit, tie, cracks, overlap",
            .truth = exactly("fill-rule=top-left"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_edges_of_fills},
+           .inactive = needs_edges_of_fills,
+           .known_to = {.fast = any_value, .hardware = lacking("the driver has the top-left rule")},
+           .shown_by = {.experiments = {{"fill-rule-easy", is_not<&Settings::fill_rule, FillRule::top_left>,
+                                         "fill-rule=top-left"},
+                                        {"inclusive-scanlines"}},
+                        .scenes = {{"lab/depth-complexity"}}}},
           {{"top-left", "top-left", "The triangle for which it is a top or left edge: each pixel is drawn once."},
            {"inclusive", "inclusive", "Both triangles, as in the book's scanlines."},
            {"exclusive", "exclusive", "Neither."}}),
@@ -180,7 +226,9 @@ std::vector<Option> drawing_rows() {
            .truth = exactly("vertex-snapping=cpu"),
            .acts_for = ActsFor::readers,
            .only_for = "only the hardware renderer uses it",
-           .inactive = needs_filling},
+           .inactive = needs_filling,
+           .known_to = {.fast = any_value, .hardware = any_value},
+           .shown_by = {.experiments = {{"driver-snapping"}}, .scenes = {{"cgfs/crates"}}}},
           {{"driver", "by the driver", "The driver projects vertices in float and rounds them."},
            {"cpu", "by the processor", "Vertices are projected in double and rounded before they are drawn."}}),
       real<&Settings::tessellation>(
@@ -191,7 +239,9 @@ std::vector<Option> drawing_rows() {
            .keywords = "subdivision, level of detail, LOD, sphere triangles, silhouette, polygon count",
            .truth = pixel_average("tessellation=0.05"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_spheres},
+           .inactive = needs_spheres,
+           .known_to = {.fast = any_value, .hardware = any_value},
+           .shown_by = {.experiments = {{"silhouette-tessellation"}}, .scenes = {{"cgfs/reflections"}}}},
           0.05, 50, OptionScale::logarithmic, "px"),
       choice<&Settings::patches>(
           {.key = "patches",
@@ -202,7 +252,9 @@ std::vector<Option> drawing_rows() {
            .keywords = "Bezier, Bézier, teapot, tessellation, level of detail, LOD, subdivision",
            .truth = pixel_average("patches=projected-error;tessellation=0.05"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_patches},
+           .inactive = needs_patches,
+           .known_to = {.fast = any_value, .hardware = any_value},
+           .shown_by = {.experiments = none, .scenes = {{"cgpp/teapot", "tessellation=20"}}}},
           {{"as-made", "as made", "The number of triangles in the scene file, from every viewpoint."},
            {"projected-error", "by projected error",
             "The fewest triangles that keep within the tessellation error, for each instance from the current "

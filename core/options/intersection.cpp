@@ -20,6 +20,14 @@ Reason needs_moeller_trumbore(const Settings& s, const SceneTraits& t) {
   return {};
 }
 
+/// The search knows the tests that have SIMD kernels.
+FastLimit search_knows_tests() {
+  FastLimit limit = knows(triangle_search, 40);
+  for (const TriangleTestRow& row : triangle_test_rows)
+    if (row.simd) limit.known.push_back(static_cast<OptionNumber>(row.test));
+  return limit;
+}
+
 std::vector<Choice> triangle_test_choices() {
   std::vector<Choice> choices;
   choices.reserve(triangle_test_rows.size());
@@ -37,7 +45,11 @@ std::vector<Option> intersection_rows() {
            .help = {"The arithmetic of the whole renderer.", "IEEE 754; PBR 4th ed. sec. 6.8",
                     "Float needs care near surfaces and far from the origin; double serves as the reference."},
            .keywords = "float, double, single, rounding, overflow, numeric error, IEEE 754",
-           .truth = exactly("precision=double")},
+           .truth = exactly("precision=double"),
+           .known_to = {.fast = {knows(any, 10, Precision::float32)},
+                        .hardware = lacking("drivers compute in float", Precision::float64)},
+           .shown_by = {.experiments = {{"precision"}, {"world-offset-sphere-acne"}, {"triangle-edge-cracks"}},
+                        .scenes = {{"lab/far-origin"}}}},
           {{"float", "float (32 bits)", "About 7 digits, as in fast renderers."},
            {"double", "double (64 bits)", "About 16 digits; slower."}}),
       choice<&Settings::sphere_test>(
@@ -50,7 +62,11 @@ std::vector<Option> intersection_rows() {
            .keywords = "ray sphere, quadratic, discriminant, cancellation, intersection",
            .truth = exactly("sphere-test=robust"),
            .acts_for = ActsFor::rays,
-           .inactive = needs_traced_spheres},
+           .inactive = needs_traced_spheres,
+           .known_to = {.fast = {knows(sphere_packets, 50, SphereTest::robust)}, .hardware = not_asked},
+           .shown_by = {.experiments = {{"ray-sphere-cancellation", is_not<&Settings::sphere_test, SphereTest::robust>,
+                                         "sphere-test=robust"}},
+                        .scenes = {{"cgfs/reflections"}}}},
           {{"robust", "robust", "Discriminant from the remainder vector, roots without cancellation."},
            {"quadratic", "textbook quadratic", "b^2 - 4ac, as in the book."}}),
       choice<&Settings::triangle_test>(
@@ -62,17 +78,31 @@ std::vector<Option> intersection_rows() {
            .keywords = "ray triangle, Moeller-Trumbore, Möller-Trumbore, intersection, watertight, cracks, barycentric",
            .truth = exactly("triangle-test=watertight"),
            .acts_for = ActsFor::rays,
-           .inactive = needs_traced_triangles},
+           .inactive = needs_traced_triangles,
+           .known_to = {.fast = {search_knows_tests()}, .hardware = not_asked},
+           .shown_by = {.experiments = {{"triangle-edge-cracks",
+                                         is_not<&Settings::triangle_test, TriangleTest::watertight>,
+                                         "triangle-test=watertight"},
+                                        {"cracks-in-an-image"},
+                                        {"mt-tolerance"},
+                                        {"nan-in-moller-trumbore"}},
+                        .scenes = {{"cgfs/brick-wall"}}}},
           triangle_test_choices()),
-      real<&Settings::triangle_epsilon>({.key = "triangle-epsilon",
-                                         .label = "Triangle epsilon",
-                                         .help = {"Determinants up to this size count as parallel.", "CGPP 15.4.3",
-                                                  "An absolute epsilon makes small triangles vanish."},
-                                         .keywords = "determinant, tolerance, threshold, parallel, small triangles",
-                                         .truth = exactly("triangle-epsilon=0"),
-                                         .acts_for = ActsFor::rays,
-                                         .inactive = needs_moeller_trumbore},
-                                        0, 1, OptionScale::logarithmic),
+      real<&Settings::triangle_epsilon>(
+          {.key = "triangle-epsilon",
+           .label = "Triangle epsilon",
+           .help = {"Determinants up to this size count as parallel.", "CGPP 15.4.3",
+                    "An absolute epsilon makes small triangles vanish."},
+           .keywords = "determinant, tolerance, threshold, parallel, small triangles",
+           .truth = exactly("triangle-epsilon=0"),
+           .acts_for = ActsFor::rays,
+           .inactive = needs_moeller_trumbore,
+           .known_to = {.fast = any_value, .hardware = not_asked},
+           .shown_by = {.experiments = {{"absolute-det-epsilon",
+                                         [](const Settings& s) { return s.triangle_epsilon > 0; },
+                                         "triangle-epsilon=0"}},
+                        .scenes = {{"cgfs/shading", "triangle-test=moeller-trumbore"}}}},
+          0, 1, OptionScale::logarithmic),
   };
 }
 

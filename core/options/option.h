@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "options/elsewhere.h"
 #include "options/idle_reason.h"
 #include "options/renderer_kind.h"
 #include "options/settings.h"
@@ -48,28 +49,14 @@ struct Truth {
   std::string_view exact{};
 };
 
-/// Values in the form that all kinds share: booleans 0/1, choices by index, integers and reals as they are.
-using OptionNumber = double;
-
-/// One row of the option table: everything that panels, command line, scene files, sweeps, permalinks, the help sheet
-/// and tests need to know about one member of Settings.
-struct Option {
+/// The parts of a row that all kinds of options share.
+struct OptionFacts {
   std::string_view key;    ///< unique, in kebab-case
   std::string_view label;  ///< unique within its group
-  std::string_view group;
-  OptionKind kind = OptionKind::boolean;
   OptionHelp help;
   /// Other words that people search for, separated by commas: "z-buffer, depth test".
   std::string_view keywords{};
-  std::vector<Choice> choices;              ///< kind choice only, in the order of the enum
-  double minimum = 0, maximum = 0;          ///< integer and real only, both inclusive
-  OptionScale scale = OptionScale::linear;  ///< how a slider or a sweep should step
-  std::string_view unit;                    ///< "px", "samples", ...; may be empty
-  OptionEffect effect = OptionEffect::picture;
   Truth truth;
-  std::string_view sweep_values{};  ///< of a sweep that names none, "1,4,16"; empty: spread over the range
-  OptionNumber (*get)(const Settings&) = nullptr;
-  void (*set)(Settings&, OptionNumber) = nullptr;  ///< takes only values that are valid for the row
   /// For which renderers it acts. A listing says itself which options it reads (options/listing.h).
   ActsFor acts_for = ActsFor::rays | ActsFor::fragments;
   /// Said of it under other renderers; empty: the words that follow from `acts_for`.
@@ -77,6 +64,24 @@ struct Option {
   /// Why the option cannot act with these settings and this scene ("needs a texture"), or nothing if it can. Asked only
   /// for renderers that `acts_for` names. May be nullptr: it always can.
   std::optional<IdleReason> (*inactive)(const Settings&, const SceneTraits&) = nullptr;
+  OptionEffect effect = OptionEffect::picture;
+  KnownTo known_to;  ///< a row without it does not compile
+  ShownBy shown_by;  ///< nor without this
+};
+
+/// One row of the option table: everything that panels, command line, scene files, sweeps, permalinks, the help sheet,
+/// renderers, studies and tests need to know about one member of Settings.
+struct Option : OptionFacts {
+  std::string_view group{};
+  OptionKind kind = OptionKind::boolean;
+  std::vector<Choice> choices{};            ///< kind choice only, in the order of the enum
+  double minimum = 0, maximum = 0;          ///< integer and real only, both inclusive
+  OptionScale scale = OptionScale::linear;  ///< how a slider or a sweep should step
+  std::string_view unit{};                  ///< "px", "samples", ...; may be empty
+  std::string_view sweep_values{};          ///< of a sweep that names none, "1,4,16"; empty: spread over the range
+  OptionNumber (*get)(const Settings&) = nullptr;
+  void (*set)(Settings&, OptionNumber) = nullptr;  ///< takes only values that are valid for the row
+  const void* member = nullptr;                    ///< the row's member of Settings: member_id (options/choice_key.h)
 
   OptionNumber default_value() const { return get(Settings{}); }
 };

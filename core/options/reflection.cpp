@@ -27,7 +27,18 @@ std::vector<Option> reflection_rows() {
            .keywords = "recursion, recursion limit, bounces, mirror, ray depth",
            .truth = exactly("reflection-depth=64"),
            .acts_for = ActsFor::rays,
-           .inactive = needs_bouncing_rays},
+           .inactive = needs_bouncing_rays,
+           .known_to = {.fast = {limit(every_hit, 30, "reflective surfaces are shaded one hit at a time",
+                                       [](const Settings& s, const SceneTraits& t) {
+                                         return s.reflection_depth > 0 && t.reflective;
+                                       })},
+                        .hardware = not_asked},
+           .shown_by = {.experiments = {{"recursion-depth",
+                                         [](const Settings& s) {
+                                           return s.reflection_depth > 0 && s.reflection_depth < 3;
+                                         },
+                                         "reflection-depth=8"}},
+                        .scenes = {{"cgfs/reflections"}}}},
           0, 64, "bounces"),
       real<&Settings::reflection_cutoff>(
           {.key = "reflection-cutoff",
@@ -44,7 +55,9 @@ std::vector<Option> reflection_rows() {
              if (s.reflection_depth == 0)
                return needs("reflection-depth", Settings{}.reflection_depth).said("needs reflection-depth above 0");
              return {};
-           }},
+           },
+           .known_to = {.fast = any_value, .hardware = not_asked},
+           .shown_by = {.experiments = none, .scenes = {{"cgfs/reflections"}}}},
           0, 1, OptionScale::linear),
       real<&Settings::reflection_epsilon>(
           {.key = "reflection-epsilon",
@@ -61,7 +74,11 @@ std::vector<Option> reflection_rows() {
                return needs("reflection-depth", Settings{}.reflection_depth).said("needs reflection-depth above 0");
              if (s.self_hit == SelfHit::offset) return needs("self-hit", SelfHit::epsilon, SelfHit::normal_bump);
              return {};
-           }},
+           },
+           .known_to = {.fast = any_value, .hardware = not_asked},
+           .shown_by = {.experiments = {{"reflection-self-hit", is<&Settings::self_hit, SelfHit::epsilon>,
+                                         "self-hit=offset", "shadows=none"}},
+                        .scenes = {{"cgfs/reflections", "self-hit=epsilon"}}}},
           0, 10, OptionScale::logarithmic),
       toggle<&Settings::refraction>(
           {.key = "refraction",
@@ -76,7 +93,9 @@ std::vector<Option> reflection_rows() {
              if (s.reflection_depth == 0)
                return needs("reflection-depth", Settings{}.reflection_depth).said("needs reflection-depth above 0");
              return {};
-           }}),
+           },
+           .known_to = {.fast = any_value, .hardware = not_asked},
+           .shown_by = {.experiments = {{"refraction-total-internal"}}, .scenes = {{"cgfs/magnifying-glass"}}}}),
       choice<&Settings::transparency>(
           {.key = "transparency",
            .label = "Transparency",
@@ -93,26 +112,34 @@ std::vector<Option> reflection_rows() {
                return needs("reflection-depth", Settings{}.reflection_depth).said("needs reflection-depth above 0");
              if (!s.refraction) return needs("refraction", true);
              return {};
-           }},
+           },
+           .known_to = {.fast = any_value, .hardware = not_asked},
+           .shown_by = {.experiments = {{"refraction-total-internal"}}, .scenes = {{"cgfs/magnifying-glass"}}}},
           {{"fixed", "fixed shares", "The material's transparency is transmitted at every angle."},
            {"fresnel", "Fresnel", "The reflected share grows towards grazing angles."}}),
-      choice<&Settings::environment>({.key = "environment",
-                                      .label = "Environment mapping",
-                                      .help = {"How the rasterizer shows reflections: it looks up the reflected "
-                                               "direction in a cube map of the surroundings.",
-                                               "CGFS ch. 15",
-                                               "A cube map is exact only at its centre: near objects and flat mirrors "
-                                               "show the wrong place, and no object reflects itself."},
-                                      .keywords = "reflection map, cube map, skybox, mirror, environment mapping",
-                                      .truth = averaged_by_rays(),
-                                      .acts_for = ActsFor::fragments,
-                                      .inactive = needs_mirrors},
-                                     {{"none", "none", "Mirrors show their local colour."},
-                                      {"cube-map", "cube map for each object",
-                                       "Rendered from the object's centre, again whenever something moves."},
-                                      {"room-map", "one map of the room",
-                                       "Rendered once from the centre of the non-reflective objects. Mirrors do not "
-                                       "appear in it and may move without a new map; the error then grows."}}),
+      choice<&Settings::environment>(
+          {.key = "environment",
+           .label = "Environment mapping",
+           .help = {"How the rasterizer shows reflections: it looks up the reflected "
+                    "direction in a cube map of the surroundings.",
+                    "CGFS ch. 15",
+                    "A cube map is exact only at its centre: near objects and flat mirrors "
+                    "show the wrong place, and no object reflects itself."},
+           .keywords = "reflection map, cube map, skybox, mirror, environment mapping",
+           .truth = averaged_by_rays(),
+           .acts_for = ActsFor::fragments,
+           .inactive = needs_mirrors,
+           .known_to = {.fast = {knows(fragment_batches, 130, Environment::none)
+                                     .where(&SceneTraits::reflective)
+                                     .said("SIMD does not support environment maps")},
+                        .hardware = any_value},
+           .shown_by = {.experiments = none, .scenes = {{"lab/mirror-room", "environment-size=32"}}}},
+          {{"none", "none", "Mirrors show their local colour."},
+           {"cube-map", "cube map for each object",
+            "Rendered from the object's centre, again whenever something moves."},
+           {"room-map", "one map of the room",
+            "Rendered once from the centre of the non-reflective objects. Mirrors do not "
+            "appear in it and may move without a new map; the error then grows."}}),
       choice<&Settings::environment_objects>(
           {.key = "environment-objects",
            .label = "Objects in environment maps",
@@ -129,7 +156,9 @@ std::vector<Option> reflection_rows() {
                return needs("environment", Environment::cube_map, Environment::room_map);
              if (!t.dynamic) return "no object of the scene is dynamic";
              return {};
-           }},
+           },
+           .known_to = {.fast = any_value, .hardware = any_value},
+           .shown_by = {.experiments = none, .scenes = {{"lab/mirror-room", "environment-size=32"}}}},
           {{"all", "all", "Every map is rendered again whenever anything moves that it shows."},
            {"static", "static ones",
             "Rendered again only when a static object, the map's own mirror or the light changes."}}),
@@ -146,7 +175,9 @@ std::vector<Option> reflection_rows() {
              if (s.environment == Environment::none)
                return needs("environment", Environment::cube_map, Environment::room_map);
              return {};
-           }},
+           },
+           .known_to = {.fast = any_value, .hardware = any_value},
+           .shown_by = {.experiments = none, .scenes = {{"lab/mirror-room", "environment-size=32"}}}},
           8, 1024, "px"),
   };
 }

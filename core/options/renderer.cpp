@@ -85,7 +85,9 @@ Option renderer_row() {
                 "pixel."},
        .keywords = "ray tracing, ray casting, path, rasterization, rasterisation, software renderer, scanline renderer",
        .truth = averaged_by_rays(),
-       .acts_for = ActsFor::picture},
+       .acts_for = ActsFor::picture,
+       .known_to = {.fast = any_value, .hardware = any_value},
+       .shown_by = {.experiments = none, .scenes = {{"cgfs/reflections"}}}},
       OptionKind::choice);
   listed = true;
   for (const RendererKind& kind : renderer_kinds())
@@ -102,7 +104,13 @@ Option listing_row() {
                 "A listing draws only what its chapter covers: a chapter on lines leaves out spheres."},
        .keywords = "code, source, routine, chapter, pseudocode",
        .truth = averaged_by_rays(),
-       .acts_for = ActsFor::listings},
+       .acts_for = ActsFor::listings,
+       .known_to = {.fast = any_value, .hardware = not_asked},
+       .shown_by = {.experiments = none,
+                    .scenes = {{"cgfs/depth", "backface-culling=off"},
+                               {"lab/polygon-rows", "listing=lab-cornell"},
+                               {"cgfs/reflections"},
+                               {"cgfs/crates"}}}},
       OptionKind::choice);
   option.choices.push_back({"auto", "automatic", "Automatic: the most advanced listing that can draw this scene."});
   for (const NamedListing& listing : listings())
@@ -144,7 +152,26 @@ Option listing_bug_row() {
        .keywords = "bug, mistake, exercise, debugging, wrong line, find the bug",
        .truth = exactly("listing-bug=none"),
        .acts_for = ActsFor::listings,
-       .inactive = listing_has_no_bugs},
+       .inactive = listing_has_no_bugs,
+       .known_to = {.fast = any_value, .hardware = not_asked},
+       .shown_by = {.experiments = none,
+                    .scenes = {{"cgfs/spheres"},
+                               {"cgfs/reflections"},
+                               {"cgfs/crates"},
+                               {"cgfs/lights"},
+                               {"cgfs_06_lines/ends.scene"},
+                               {"cgfs/cubes", "listing=cgfs-10-scenes"},
+                               {"cgfs/shading"},
+                               {"cgfs_15_shadows_in_the_rasterizer/yard.scene"},
+                               {"cgfs_11_clipping/two.scene", "listing=cgfs-11-clipping"},
+                               {"cgpp/ground", "listing=cgpp-15-4-measured-light"},
+                               {"cgfs/shaded-triangle"},
+                               {"cgpp_15_6_exact_edges/fan.scene", "listing=cgpp-15-6-exact-edges"},
+                               {"cgfs_07_filled_triangles/square.scene"},
+                               {"cgfs/depth", "backface-culling=off"},
+                               {"cgfs/depth", "backface-culling=on"},
+                               {"lab/polygon-rows", "listing=lab-cornell"},
+                               {"cgfs/cubes", "listing=oct-dont-test-everything"}}}},
       bug_choices());
 }
 
@@ -163,7 +190,9 @@ std::vector<Option> renderer_rows() {
                     "With the bug, highlights are right only for a camera at the origin."},
            .keywords = "bug, mistake, errata",
            .truth = exactly("demo-slips=off"),
-           .acts_for = ActsFor::readers}),
+           .acts_for = ActsFor::readers,
+           .known_to = {.fast = any_value, .hardware = not_asked},
+           .shown_by = {.experiments = none, .scenes = {{"cgfs/shading"}}}}),
   };
 }
 

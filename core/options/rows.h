@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -6,7 +7,7 @@
 
 #include "base/check.h"
 #include "base/enumerators.h"
-#include "options/option.h"
+#include "options/choice_key.h"
 
 /// Helpers for writing rows of the option table. Each group has a file with one function that returns its rows;
 /// table.cpp puts them in order.
@@ -37,56 +38,36 @@ constexpr Truth pixel_average(std::string_view settings = {}) { return {TruthKin
 /// The truth of options that only rays show exactly. One sample of theirs is no better than one of another renderer.
 Truth averaged_by_rays();
 
-/// The members that all kinds of rows share; see the members of Option.
-struct Names {
-  std::string_view key, label;
-  OptionHelp help;
-  std::string_view keywords{};
-  Truth truth;
-  ActsFor acts_for = ActsFor::rays | ActsFor::fragments;
-  std::string_view only_for{};
-  std::optional<IdleReason> (*inactive)(const Settings&, const SceneTraits&) = nullptr;
-  OptionEffect effect = OptionEffect::picture;
-};
-
 template <auto Member>
-Option row(const Names& names, OptionKind kind) {
-  Option option;
-  option.key = names.key;
-  option.label = names.label;
-  option.help = names.help;
-  option.keywords = names.keywords;
-  option.truth = names.truth;
-  option.acts_for = names.acts_for;
-  option.only_for = names.only_for;
-  option.inactive = names.inactive;
-  option.effect = names.effect;
+Option row(const OptionFacts& facts, OptionKind kind) {
+  Option option{facts};
   option.kind = kind;
   option.get = &get_member<Member>;
   option.set = &set_member<Member>;
+  option.member = &member_id<Member>;
   return option;
 }
 
 template <auto Member>
-Option toggle(const Names& names) {
-  return row<Member>(names, OptionKind::boolean);
+Option toggle(const OptionFacts& facts) {
+  return row<Member>(facts, OptionKind::boolean);
 }
 
 /// The choices come in the order of the enum, one for each enumerator.
 template <auto Member>
-Option choice(const Names& names, std::vector<Choice> choices) {
+Option choice(const OptionFacts& facts, std::vector<Choice> choices) {
   using Value = std::remove_cvref_t<decltype(std::declval<Settings>().*Member)>;
   if constexpr (std::is_enum_v<Value>)
-    PS_ASSERT(choices.size() == enumerator_count<Value>(), "choices of " + std::string(names.key));
-  Option option = row<Member>(names, OptionKind::choice);
+    PS_ASSERT(choices.size() == enumerator_count<Value>(), "choices of " + std::string(facts.key));
+  Option option = row<Member>(facts, OptionKind::choice);
   option.choices = std::move(choices);
   option.maximum = static_cast<double>(option.choices.size()) - 1;
   return option;
 }
 
 template <auto Member>
-Option integer(const Names& names, int minimum, int maximum, std::string_view unit = {}) {
-  Option option = row<Member>(names, OptionKind::integer);
+Option integer(const OptionFacts& facts, int minimum, int maximum, std::string_view unit = {}) {
+  Option option = row<Member>(facts, OptionKind::integer);
   option.minimum = minimum;
   option.maximum = maximum;
   option.unit = unit;
@@ -94,8 +75,8 @@ Option integer(const Names& names, int minimum, int maximum, std::string_view un
 }
 
 template <auto Member>
-Option real(const Names& names, double minimum, double maximum, OptionScale scale, std::string_view unit = {}) {
-  Option option = row<Member>(names, OptionKind::real);
+Option real(const OptionFacts& facts, double minimum, double maximum, OptionScale scale, std::string_view unit = {}) {
+  Option option = row<Member>(facts, OptionKind::real);
   option.minimum = minimum;
   option.maximum = maximum;
   option.scale = scale;
@@ -105,6 +86,65 @@ Option real(const Names& names, double minimum, double maximum, OptionScale scal
 
 using Reason = std::optional<IdleReason>;
 
+// Shorthands for OptionFacts::known_to and shown_by.
+using enum FastCode;
+inline constexpr AnyValue any_value;
+inline constexpr NotAsked not_asked;
+inline constexpr NoExperiment none;
+
+/// The code knows these values alone.
+template <class... Values>
+FastLimit knows(FastCode code, int place, Values... values) {
+  return {.code = code, .place = place, .known = {static_cast<OptionNumber>(values)...}};
+}
+inline FastLimit limit(FastCode code, int place, std::string_view reason,
+                       bool (*reached)(const Settings&, const SceneTraits&)) {
+  return {.code = code, .place = place, .reached = reached, .reason = std::string(reason)};
+}
+
+/// Does the member have this value? For experiments.
+template <auto Member, auto Value>
+bool is(const Settings& settings) {
+  return settings.*Member == Value;
+}
+template <auto Member, auto Value>
+bool is_not(const Settings& settings) {
+  return settings.*Member != Value;
+}
+
+inline HardwareUse defined_as(std::string_view name) {
+  HardwareUse use = any_value;
+  use.definition = name;
+  return use;
+}
+inline HardwareUse lacking(std::string_view reason, OptionNumber first, OptionNumber last) {
+  HardwareUse use = any_value;
+  use.reason = reason;
+  use.first_lacked = first;
+  use.last_lacked = last;
+  return use;
+}
+template <class Value>
+HardwareUse lacking(std::string_view reason, Value value) {
+  return lacking(reason, static_cast<OptionNumber>(value), static_cast<OptionNumber>(value));
+}
+/// It does not act on the option at all.
+inline HardwareUse lacking(std::string_view reason) {
+  const OptionNumber all = std::numeric_limits<OptionNumber>::infinity();
+  return lacking(reason, -all, all);
+}
+inline HardwareUse as_driver_offers(std::string_view reason) {
+  HardwareUse use = any_value;
+  use.reason = reason;
+  use.as_driver_offers = true;
+  return use;
+}
+inline HardwareUse lacking_if(Reason (*lacks)(OptionNumber, const Settings&)) {
+  HardwareUse use = any_value;
+  use.lacks = lacks;
+  return use;
+}
+
 /// A value of `far` to offer where any limit will do; scene units.
 inline constexpr double some_far_limit = 10000;
 
@@ -113,6 +153,9 @@ inline Reason needs_filled_fragments(const Settings& s) {
   if (draws_fragments(s.renderer) && s.draw != Draw::filled) return needs("draw", Draw::filled);
   return {};
 }
+
+/// Gives words to the limits for which the row has none. For the table.
+void say_fast_limits(Option& option);
 
 std::vector<Option> renderer_rows();
 std::vector<Option> camera_rows();

@@ -36,7 +36,14 @@ std::vector<Option> sampling_rows() {
        .keywords = "AA, SSAA, antialias, antialiasing, anti-aliasing, supersampling, jaggies, staircase, spp, noise",
        .truth = pixel_average(),
        .acts_for = ActsFor::rays,
-       .only_for = multisampling_instead},
+       .only_for = multisampling_instead,
+       .known_to = {.fast = {limit(hit_shading, 10, "SIMD shading needs one ray per pixel",
+                                   [](const Settings& s, const SceneTraits&) {
+                                     return s.samples_per_pixel > 1 && !s.adaptive_sampling;
+                                   })},
+                    .hardware = not_asked},
+       .shown_by = {.experiments = {{"supersampling-rate"}, {"sub-pixel-disc-missed"}},
+                    .scenes = {{"cgfs/reflections"}}}},
       1, 4096, "rays");
   samples.scale = OptionScale::logarithmic;
   samples.sweep_values = "1,4,16,64,256";  // the curve is clear by then, and 4096 take minutes
@@ -50,7 +57,15 @@ std::vector<Option> sampling_rows() {
        .truth = pixel_average(),
        .acts_for = ActsFor::rays,
        .only_for = multisampling_instead,
-       .inactive = needs_one_sample},
+       .inactive = needs_one_sample,
+       .known_to = {.fast = {limit(hit_shading, 20, "SIMD shading needs subsampling = 1",
+                                   [](const Settings& s, const SceneTraits& t) {
+                                     return s.subsampling > 1 && !needs_one_sample(s, t);
+                                   })},
+                    .hardware = not_asked},
+       .shown_by = {.experiments = {{"subsampling-bars", [](const Settings& s) { return s.subsampling > 1; },
+                                     "subsampling=1"}},
+                    .scenes = {{"cgfs/shading", "triangle-test=moeller-trumbore"}}}},
       1, 16, "pixels");
   return {
       samples,
@@ -63,7 +78,14 @@ std::vector<Option> sampling_rows() {
                        "Monte Carlo, supersampling",
            .truth = pixel_average(),
            .acts_for = ActsFor::rays,
-           .only_for = multisampling_instead},
+           .only_for = multisampling_instead,
+           .known_to = {.fast = {limit(hit_shading, 10, "SIMD shading needs one ray per pixel",
+                                       [](const Settings& s, const SceneTraits&) {
+                                         return s.samples_per_pixel == 1 && s.sample_pattern != SamplePattern::grid;
+                                       })},
+                        .hardware = not_asked},
+           .shown_by = {.experiments = {{"supersampling-rate"}, {"grid-moire"}},
+                        .scenes = {{"cgfs/reflections", "samples-per-pixel=4"}}}},
           {{"grid", "grid", "The centres of equal cells."},
            {"jitter", "jittered grid", "One random position in each of n equal cells."},
            {"random", "random", "Independent random positions: clusters and gaps."},
@@ -80,7 +102,18 @@ std::vector<Option> sampling_rows() {
            .truth = pixel_average(),
            .acts_for = ActsFor::rays,
            .only_for = multisampling_instead,
-           .inactive = needs_several_samples}),
+           .inactive = needs_several_samples,
+           .known_to = {.fast = {limit(every_hit, 10, "further samples of a pixel are shaded one after the other",
+                                       [](const Settings& s, const SceneTraits&) {
+                                         return s.samples_per_pixel > 1 && s.adaptive_sampling;
+                                       })},
+                        .hardware = not_asked},
+           .shown_by = {.experiments = {{"adaptive-sampling-misses",
+                                         [](const Settings& s) {
+                                           return s.adaptive_sampling && s.samples_per_pixel > 1;
+                                         },
+                                         "adaptive-sampling=off"}},
+                        .scenes = {{"cgfs/reflections", "samples-per-pixel=4"}}}}),
       real<&Settings::adaptive_threshold>(
           {.key = "adaptive-threshold",
            .label = "Adaptive threshold",
@@ -91,7 +124,10 @@ std::vector<Option> sampling_rows() {
            .truth = pixel_average(),
            .acts_for = ActsFor::rays,
            .only_for = multisampling_instead,
-           .inactive = needs_adaptive},
+           .inactive = needs_adaptive,
+           .known_to = {.fast = any_value, .hardware = not_asked},
+           .shown_by = {.experiments = {{"adaptive-sampling-misses"}},
+                        .scenes = {{"cgfs/reflections", "samples-per-pixel=4;adaptive-sampling=on"}}}},
           0, 1, OptionScale::linear),
       subsampling,
   };

@@ -75,6 +75,28 @@ Reason needs_epsilon(const Settings& s, const SceneTraits& t) {
   return {};
 }
 
+bool maps_or_counts(const Settings& s, const SceneTraits& t) {
+  if (!s.lighting || !t.casting_lights) return false;
+  if (s.shadows == Shadows::map) return true;
+  const bool stencil = s.shadows == Shadows::stencil_depth_fail || s.shadows == Shadows::stencil_depth_pass;
+  return stencil && s.visibility == Visibility::depth_buffer;
+}
+
+/// The hardware renderer draws light that is computed at vertices light by light, each where its shadow map lets it
+/// through.
+Reason map_lacks(OptionNumber shadows, const Settings& s) {
+  const bool at_vertices = s.lighting && s.shading != Shading::phong;
+  if (shadows == static_cast<OptionNumber>(Shadows::map) && at_vertices && s.visibility != Visibility::depth_buffer)
+    return IdleReason({{"shading", static_cast<double>(Shading::phong)},
+                       {"visibility", static_cast<double>(Visibility::depth_buffer)}})
+        .said("shadow maps of the hardware renderer need shading = phong or visibility = depth-buffer");
+  return {};
+}
+
+bool fixed_map_bias(const Settings& s) {
+  return s.shadow_slope_bias >= 0 && s.shadow_slope_bias < 0.5 * s.shadow_filter;
+}
+
 }  // namespace
 
 std::vector<Option> shadow_rows() {
@@ -87,7 +109,14 @@ std::vector<Option> shadow_rows() {
                     "rays: with 'traced' it shows no shadows."},
            .keywords = "shadow map, shadow volume, stencil shadow, shadow ray, hard shadow",
            .truth = exactly("shadows=traced|stencil-depth-fail"),
-           .inactive = needs_casting_light},
+           .inactive = needs_casting_light,
+           .known_to = {.fast = {limit(fragment_batches, 120, "SIMD does not support shadow maps or stencil shadows",
+                                       maps_or_counts)},
+                        .hardware = lacking_if(map_lacks)},
+           .shown_by = {.experiments = {{"z-pass-in-volume", is<&Settings::shadows, Shadows::stencil_depth_pass>,
+                                         "shadows=stencil-depth-fail"},
+                                        {"near-plane-cuts-volume"}},
+                        .scenes = {{"cgfs/reflections"}, {"lab/stacked-shadows"}}}},
           {{"traced", "traced", "One shadow ray for each light; ray tracer only."},
            {"none", "none", "No light is ever blocked."},
            {"map", "shadow map",
@@ -107,7 +136,9 @@ std::vector<Option> shadow_rows() {
            .keywords = "resolution, blocky, aliasing, jaggies, shadow map",
            .truth = exactly("shadows=stencil-depth-fail"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_shadow_map},
+           .inactive = needs_shadow_map,
+           .known_to = {.fast = any_value, .hardware = any_value},
+           .shown_by = {.experiments = none, .scenes = {{"cgfs/shadows", "shadows=map;shadow-map-size=64"}}}},
           8, 4096, "texels"),
       real<&Settings::shadow_bias>(
           {.key = "shadow-bias",
@@ -118,7 +149,11 @@ std::vector<Option> shadow_rows() {
            .keywords = "acne, shadow acne, peter-panning, peter panning, depth bias, polygon offset, self-shadowing",
            .truth = exactly("shadows=stencil-depth-fail"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_shadow_map},
+           .inactive = needs_shadow_map,
+           .known_to = {.fast = any_value, .hardware = any_value},
+           .shown_by = {.experiments = {{"shadow-map-acne", fixed_map_bias, "shadow-bias=0;shadow-slope-bias=-1"},
+                                        {"peter-panning"}},
+                        .scenes = {{"cgfs/shadows", "shadows=map;shadow-map-size=64"}}}},
           0, 10, OptionScale::logarithmic, "world units"),
       real<&Settings::shadow_slope_bias>(
           {.key = "shadow-slope-bias",
@@ -132,7 +167,10 @@ std::vector<Option> shadow_rows() {
            .keywords = "acne, shadow acne, peter-panning, slope scale, polygon offset, depth bias",
            .truth = exactly("shadows=stencil-depth-fail"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_shadow_map},
+           .inactive = needs_shadow_map,
+           .known_to = {.fast = any_value, .hardware = any_value},
+           .shown_by = {.experiments = {{"shadow-map-acne"}, {"pcf-one-tap-bias"}, {"peter-panning"}},
+                        .scenes = {{"cgfs/shadows", "shadows=map;shadow-map-size=64"}}}},
           -1, 16, OptionScale::linear, "texels"),
       integer<&Settings::shadow_filter>(
           {.key = "shadow-filter",
@@ -142,7 +180,10 @@ std::vector<Option> shadow_rows() {
            .keywords = "PCF, percentage closer filtering, soft edge, blur, penumbra",
            .truth = pixel_average("shadows=stencil-depth-fail"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_shadow_map},
+           .inactive = needs_shadow_map,
+           .known_to = {.fast = any_value, .hardware = defined_as("SHADOW_FILTER")},
+           .shown_by = {.experiments = {{"pcf-one-tap-bias"}},
+                        .scenes = {{"cgfs/shadows", "shadows=map;shadow-map-size=64"}}}},
           1, 7, "taps"),
       integer<&Settings::stencil_bits>(
           {.key = "stencil-bits",
@@ -152,7 +193,11 @@ std::vector<Option> shadow_rows() {
            .keywords = "overflow, wrap, stencil buffer, shadow volume, counter",
            .truth = exactly("stencil-bits=16"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_stencil},
+           .inactive = needs_stencil,
+           .known_to = {.fast = any_value, .hardware = lacking("drivers keep 8 stencil bits of a pixel", 9, 16)},
+           .shown_by = {.experiments = {{"stencil-bits-wrap", [](const Settings& s) { return s.stencil_bits < 8; },
+                                         "stencil-bits=8"}},
+                        .scenes = {{"lab/stacked-shadows"}}}},
           1, 16, "bits"),
       toggle<&Settings::volume_caps>(
           {.key = "volume-caps",
@@ -164,7 +209,10 @@ std::vector<Option> shadow_rows() {
            .keywords = "z-fail, Carmack, shadow volume, cap, depth fail",
            .truth = exactly("volume-caps=on"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_depth_fail}),
+           .inactive = needs_depth_fail,
+           .known_to = {.fast = any_value, .hardware = any_value},
+           .shown_by = {.experiments = {{"z-fail-caps", is<&Settings::volume_caps, false>, "volume-caps=on"}},
+                        .scenes = {{"cgfs/shadows", "shadows=stencil-depth-fail;far=7"}}}}),
       real<&Settings::volume_length>(
           {.key = "volume-length",
            .label = "Volume length",
@@ -175,7 +223,11 @@ std::vector<Option> shadow_rows() {
            .keywords = "infinite, extrusion, shadow volume",
            .truth = exactly("volume-length=0"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_stencil},
+           .inactive = needs_stencil,
+           .known_to = {.fast = any_value, .hardware = any_value},
+           .shown_by = {.experiments = {{"z-fail-caps", [](const Settings& s) { return s.volume_length > 0; },
+                                         "volume-length=0"}},
+                        .scenes = {{"cgfs/shadows", "shadows=stencil-depth-fail;far=7"}}}},
           0, 1e6, OptionScale::logarithmic, "world units"),
       toggle<&Settings::volume_depth_clamp>(
           {.key = "volume-depth-clamp",
@@ -185,7 +237,13 @@ std::vector<Option> shadow_rows() {
            .keywords = "far plane, depth clamp, shadow volume",
            .truth = exactly("volume-depth-clamp=on"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_cut_volumes}),
+           .inactive = needs_cut_volumes,
+           .known_to = {.fast = any_value, .hardware = any_value},
+           .shown_by =
+               {.experiments = {{"z-fail-caps",
+                                 [](const Settings& s) { return !s.volume_depth_clamp && s.far < no_far_limit; },
+                                 "volume-depth-clamp=on"}},
+                .scenes = {{"cgfs/shadows", "shadows=stencil-depth-fail;far=7"}}}}),
       choice<&Settings::self_hit>(
           {.key = "self-hit",
            .label = "Self-hit guard",
@@ -195,7 +253,11 @@ std::vector<Option> shadow_rows() {
            .keywords = "acne, shadow acne, surface acne, self-intersection, self-shadowing, epsilon, bias",
            .truth = exactly("self-hit=offset"),
            .acts_for = ActsFor::rays,
-           .inactive = needs_secondary_rays},
+           .inactive = needs_secondary_rays,
+           .known_to = {.fast = {knows(sphere_packets, 60, SelfHit::offset)}, .hardware = not_asked},
+           .shown_by = {.experiments = {{"constant-normal-bump", is<&Settings::self_hit, SelfHit::normal_bump>,
+                                         "self-hit=offset"}},
+                        .scenes = {{"cgfs/reflections"}}}},
           {{"offset", "bounded offset", "Starts outside the error bound of the hit point; nothing to tune."},
            {"epsilon", "epsilon", "Ignores hits with t up to epsilon, as in the book."},
            {"normal-bump", "normal bump", "Starts epsilon above the surface along its normal, as in CGPP."}}),
@@ -207,7 +269,17 @@ std::vector<Option> shadow_rows() {
            .keywords = "acne, shadow acne, self-shadowing, bias, peter-panning, self-intersection",
            .truth = exactly("self-hit=offset"),
            .acts_for = ActsFor::rays,
-           .inactive = needs_shadow_epsilon},
+           .inactive = needs_shadow_epsilon,
+           .known_to = {.fast = any_value, .hardware = not_asked},
+           .shown_by =
+               {.experiments =
+                    {{"epsilon-too-large",
+                      [](const Settings& s) { return s.self_hit == SelfHit::epsilon && s.shadow_epsilon > 0.01; },
+                      "self-hit=offset", "reflection-depth=0"},
+                     {"ground-sphere-acne",
+                      [](const Settings& s) { return s.self_hit == SelfHit::epsilon && s.shadow_epsilon <= 0.01; },
+                      "self-hit=offset", "reflection-depth=0"}},
+                .scenes = {{"cgfs/reflections", "self-hit=epsilon"}}}},
           0, 10, OptionScale::logarithmic),
       choice<&Settings::epsilon_unit>(
           {.key = "epsilon-unit",
@@ -217,7 +289,9 @@ std::vector<Option> shadow_rows() {
            .keywords = "acne, bias, scale, ray parameter",
            .truth = exactly("self-hit=offset"),
            .acts_for = ActsFor::rays,
-           .inactive = needs_epsilon},
+           .inactive = needs_epsilon,
+           .known_to = {.fast = any_value, .hardware = not_asked},
+           .shown_by = {.experiments = {{"epsilon-unit"}}, .scenes = {{"cgfs/reflections", "self-hit=epsilon"}}}},
           {{"ray-parameter", "ray parameter t", "In multiples of the ray's direction vector, as in the book."},
            {"distance", "distance", "In world units."}}),
       toggle<&Settings::shadow_any_hit>(
@@ -229,7 +303,9 @@ std::vector<Option> shadow_rows() {
            .truth = as_set(),
            .acts_for = ActsFor::rays,
            .inactive = needs_shadow_rays,
-           .effect = OptionEffect::speed}),
+           .effect = OptionEffect::speed,
+           .known_to = {.fast = any_value, .hardware = not_asked},
+           .shown_by = {.experiments = none, .scenes = {{"cgfs/shading"}}}}),
       choice<&Settings::shadow_rays>(
           {.key = "shadow-rays",
            .label = "Shadow rays",
@@ -239,7 +315,9 @@ std::vector<Option> shadow_rows() {
            .keywords = "occlusion, skip, back-facing, light",
            .truth = as_set(),
            .acts_for = ActsFor::rays,
-           .inactive = needs_shadow_rays},
+           .inactive = needs_shadow_rays,
+           .known_to = {.fast = any_value, .hardware = not_asked},
+           .shown_by = {.experiments = none, .scenes = {{"cgfs/reflections"}}}},
           {{"all", "to every light", "As in the book: also if the light comes from behind the surface."},
            {"useful", "to lights that add something",
             "Only if the light is in front of the surface or makes a highlight."}}),

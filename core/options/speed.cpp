@@ -1,5 +1,6 @@
 #include "base/machine.h"
 #include "options/rows.h"
+#include "options/simd_choice.h"
 
 namespace ps::rows {
 namespace {
@@ -32,6 +33,11 @@ Reason needs_boxes(const Settings& s, const SceneTraits& t) {
   return {};
 }
 
+bool narrower_than_avx2(const Settings& s, const SceneTraits&) {
+  const std::optional<Simd> target = widest_simd(s.simd);
+  return !target || *target == Simd::sse4;
+}
+
 Option accelerator_row() {
   Option option = choice<&Settings::accelerator>(
       {.key = "accelerator",
@@ -44,7 +50,18 @@ Option accelerator_row() {
        .keywords = "BVH, octree, bounding box, kd-tree, spatial index, hierarchy, speed, Embree",
        .truth = as_set(),
        .acts_for = ActsFor::rays,
-       .effect = OptionEffect::speed},
+       .effect = OptionEffect::speed,
+       .known_to = {.fast = {knows(sphere_packets, 120, Accelerator::bvh, Accelerator::none),
+                             limit(triangle_search, 20, "Embree's kernels search, scalar code shades",
+                                   [](const Settings& s, const SceneTraits&) {
+                                     return s.accelerator == Accelerator::embree && has_embree();
+                                   }),
+                             knows(triangle_search, 21, Accelerator::bvh, Accelerator::octree, Accelerator::none,
+                                   Accelerator::embree)
+                                 .said("SIMD searches need accelerator = bvh, octree or none")},
+                    .hardware = not_asked},
+       .shown_by = {.experiments = {{"grid-octree-borders"}, {"bvh-holes"}},
+                    .scenes = {{"cgfs/shading", "triangle-test=moeller-trumbore"}}}},
       {{"bvh", "bounding-volume hierarchy", "A tree of boxes built with the surface-area heuristic."},
        {"none", "none", "Every ray is tested against every primitive."},
        {"bounding-spheres", "bounding spheres", "A hierarchy of spheres around objects and around groups of them."},
@@ -75,7 +92,13 @@ std::vector<Option> speed_rows() {
            .keywords = "ray box, bounding box, AABB, NaN, infinity",
            .truth = exactly("slab-test=robust"),
            .acts_for = ActsFor::rays,
-           .inactive = needs_boxes},
+           .inactive = needs_boxes,
+           .known_to = {.fast = {knows(triangle_search, 30, SlabTest::robust)}, .hardware = not_asked},
+           .shown_by = {.experiments = {{"bvh-holes", is_not<&Settings::slab_test, SlabTest::robust>,
+                                         "slab-test=robust"},
+                                        {"slab-test-false-miss"},
+                                        {"0-inf-nan-slab"}},
+                        .scenes = {{"cgfs/shading", "triangle-test=moeller-trumbore"}}}},
           {{"robust", "robust",
             "Planes in the order of the ray; interval widened by the rounding error; safe for NaN."},
            {"naive", "naive", "Minimum and maximum t of each pair of planes; runs on the clear path."}}),
@@ -89,7 +112,9 @@ std::vector<Option> speed_rows() {
            .truth = as_set(),
            .acts_for = ActsFor::rays,
            .inactive = needs_octree,
-           .effect = OptionEffect::speed},
+           .effect = OptionEffect::speed,
+           .known_to = {.fast = any_value, .hardware = not_asked},
+           .shown_by = {.experiments = {{"grid-octree-borders"}}, .scenes = {{"cgfs/shading", "accelerator=octree"}}}},
           1, 256, "primitives"),
       integer<&Settings::octree_depth>(
           {.key = "octree-depth",
@@ -100,7 +125,9 @@ std::vector<Option> speed_rows() {
            .truth = as_set(),
            .acts_for = ActsFor::rays,
            .inactive = needs_octree,
-           .effect = OptionEffect::speed},
+           .effect = OptionEffect::speed,
+           .known_to = {.fast = any_value, .hardware = not_asked},
+           .shown_by = {.experiments = {{"grid-octree-borders"}}, .scenes = {{"cgfs/shading", "accelerator=octree"}}}},
           0, 16, "levels"),
       toggle<&Settings::shadow_cache>(
           {.key = "shadow-cache",
@@ -111,7 +138,10 @@ std::vector<Option> speed_rows() {
            .truth = as_set(),
            .acts_for = ActsFor::rays,
            .inactive = needs_any_hit,
-           .effect = OptionEffect::speed}),
+           .effect = OptionEffect::speed,
+           .known_to = {.fast = {knows(sphere_packets, 110, false), knows(hit_shading, 60, false)},
+                        .hardware = not_asked},
+           .shown_by = {.experiments = none, .scenes = {{"cgfs/reflections"}}}}),
       toggle<&Settings::cache_constants>(
           {.key = "cache-constants",
            .label = "Cache constants",
@@ -120,16 +150,22 @@ std::vector<Option> speed_rows() {
            .keywords = "precompute, loop invariant, speed",
            .truth = as_set(),
            .acts_for = ActsFor::rays,
-           .effect = OptionEffect::speed}),
-      integer<&Settings::threads>({.key = "threads",
-                                   .label = "Threads",
-                                   .help = {"Number of threads that render a picture; 0 = one per processor.",
-                                            "CGFS ch. 5", "Only speed changes."},
-                                   .keywords = "cores, parallel, multithreading, speed",
-                                   .truth = as_set(),
-                                   .acts_for = ActsFor::picture,
-                                   .effect = OptionEffect::speed},
-                                  0, 256, "threads"),
+           .effect = OptionEffect::speed,
+           .known_to = {.fast = {knows(sphere_packets, 100, true), knows(triangle_search, 10, true)},
+                        .hardware = not_asked},
+           .shown_by = {.experiments = none, .scenes = {{"cgfs/shading", "triangle-test=moeller-trumbore"}}}}),
+      integer<&Settings::threads>(
+          {.key = "threads",
+           .label = "Threads",
+           .help = {"Number of threads that render a picture; 0 = one per processor.", "CGFS ch. 5",
+                    "Only speed changes."},
+           .keywords = "cores, parallel, multithreading, speed",
+           .truth = as_set(),
+           .acts_for = ActsFor::picture,
+           .effect = OptionEffect::speed,
+           .known_to = {.fast = any_value, .hardware = lacking("the driver chooses its own threads")},
+           .shown_by = {.experiments = none, .scenes = {{"cgfs/reflections"}}}},
+          0, 256, "threads"),
       choice<&Settings::simd>(
           {.key = "simd",
            .label = "SIMD",
@@ -140,7 +176,14 @@ std::vector<Option> speed_rows() {
            .keywords = "vector, SSE, AVX, parallel, speed",
            .truth = as_set(),
            .acts_for = ActsFor::picture,
-           .effect = OptionEffect::speed},
+           .effect = OptionEffect::speed,
+           .known_to = {.fast = {limit(any, 20, "simd = off",
+                                       [](const Settings& s, const SceneTraits&) { return s.simd == Simd::off; }),
+                                 limit(any, 30, "this processor has no SSE4",
+                                       [](const Settings& s, const SceneTraits&) { return !widest_simd(s.simd); }),
+                                 limit(hit_shading, 70, "SIMD shading of hits needs AVX2", narrower_than_avx2)},
+                        .hardware = lacking("the driver chooses its own instructions")},
+           .shown_by = {.experiments = none, .scenes = {{"cgfs/shading", "triangle-test=moeller-trumbore"}}}},
           {{"auto", "automatic", "The widest instruction set of this processor."},
            {"off", "off", "The clear path: one value after another."},
            {"sse4", "SSE4", "4 floats."},

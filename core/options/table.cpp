@@ -25,6 +25,7 @@ std::vector<Option> make_table() {
   append(table, "Intersection", rows::intersection_rows());
   append(table, "Speed", rows::speed_rows());
   append(table, "Display", rows::display_rows());
+  for (Option& option : table) rows::say_fast_limits(option);
   return table;
 }
 

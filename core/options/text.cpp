@@ -6,7 +6,7 @@
 #include "base/check.h"
 #include "base/number_text.h"
 #include "base/spelling.h"
-#include "options/option.h"
+#include "options/choice_key.h"
 #include "options/renderer_kind.h"
 
 namespace ps {
@@ -49,11 +49,11 @@ const Option* find_option(std::string_view key) {
   return found == table.end() ? nullptr : &*found;
 }
 
-const Option& option_that_differs(const Settings& one, const Settings& other) {
+const Option& option_with(const void* member) {
   const auto table = option_table();
-  const auto differs = [&](const Option& option) { return option.get(one) != option.get(other); };
-  PS_ASSERT(std::count_if(table.begin(), table.end(), differs) == 1, "the settings differ in one option");
-  return *std::find_if(table.begin(), table.end(), differs);
+  const auto found = std::find_if(table.begin(), table.end(), [&](const Option& o) { return o.member == member; });
+  PS_ASSERT(found != table.end(), "each member of Settings has a row");
+  return *found;
 }
 
 const Choice& chosen(const Option& option, const Settings& settings) {

@@ -49,12 +49,22 @@ Reason needs_mipmaps(const Settings& s, const SceneTraits& t) {
 
 std::vector<Option> texture_rows() {
   return {
-      toggle<&Settings::textures>({.key = "textures",
-                                   .label = "Textures",
-                                   .help = {"Applies texture images to surfaces.", "CGFS ch. 14", ""},
-                                   .keywords = "texture mapping, image, uv, decal",
-                                   .truth = pixel_average("textures=on;texture-filter=bilinear"),
-                                   .inactive = needs_texture}),
+      toggle<&Settings::textures>(
+          {.key = "textures",
+           .label = "Textures",
+           .help = {"Applies texture images to surfaces.", "CGFS ch. 14", ""},
+           .keywords = "texture mapping, image, uv, decal",
+           .truth = pixel_average("textures=on;texture-filter=bilinear"),
+           .inactive = needs_texture,
+           .known_to = {.fast = {knows(fragment_batches, 140, false)
+                                     .where(&SceneTraits::opacity_maps)
+                                     .said("SIMD cuts nothing out by opacity maps"),
+                                 limit(fragment_batches, 150, "SIMD does not support reflection maps",
+                                       [](const Settings& s, const SceneTraits& t) {
+                                         return s.textures && t.reflection_maps && s.reflection_depth > 0;
+                                       })},
+                        .hardware = any_value},
+           .shown_by = {.experiments = none, .scenes = {{"cgfs/brick-wall"}}}}),
       choice<&Settings::texture_filter>(
           {.key = "texture-filter",
            .label = "Filter",
@@ -64,7 +74,15 @@ std::vector<Option> texture_rows() {
            .keywords = "bilinear, trilinear, nearest, mipmap, mip, minification, magnification, aliasing, moire, "
                        "shimmer, pixelated, blur",
            .truth = pixel_average("texture-filter=bilinear"),
-           .inactive = needs_textures_on},
+           .inactive = needs_textures_on,
+           .known_to = {.fast = any_value, .hardware = defined_as("TEXTURE_FILTER")},
+           .shown_by = {.experiments = {{"mipmap-lod",
+                                         [](const Settings& s) {
+                                           return s.texture_filter == TextureFilter::nearest ||
+                                                  s.texture_filter == TextureFilter::bilinear;
+                                         },
+                                         "texture-filter=trilinear"}},
+                        .scenes = {{"cgfs/crates", "", PictureWay::fragments}}}},
           {{"trilinear", "trilinear", "Bilinear in the two nearest mip levels, blended."},
            {"mipmap", "mipmap", "Bilinear in the nearest mip level."},
            {"bilinear", "bilinear", "Weighted mean of the four texels around the point."},
@@ -79,7 +97,12 @@ std::vector<Option> texture_rows() {
            .truth = pixel_average("texture-filter=bilinear"),
            .acts_for = ActsFor::fragments,
            .only_for = "no effect: rays have no footprint and read level 0",
-           .inactive = needs_mipmaps},
+           .inactive = needs_mipmaps,
+           .known_to = {.fast = any_value, .hardware = any_value},
+           .shown_by = {.experiments = {{"mipmap-lod",
+                                         [](const Settings& s) { return s.mip_bias < -1 || s.mip_bias > 1; },
+                                         "mip-bias=0"}},
+                        .scenes = {{"cgfs/crates"}}}},
           -4, 4, OptionScale::linear, "levels"),
       integer<&Settings::anisotropy>(
           {.key = "anisotropy",
@@ -92,7 +115,9 @@ std::vector<Option> texture_rows() {
            .truth = pixel_average("texture-filter=bilinear"),
            .acts_for = ActsFor::fragments,
            .only_for = "no effect: rays have no footprint and read level 0",
-           .inactive = needs_mipmaps},
+           .inactive = needs_mipmaps,
+           .known_to = {.fast = {knows(fragment_batches, 160, 1)}, .hardware = any_value},
+           .shown_by = {.experiments = {{"mipmap-lod"}}, .scenes = {{"cgfs/crates"}}}},
           1, 16, "taps"),
       choice<&Settings::hardware_texturing>(
           {.key = "hardware-texturing",
@@ -103,7 +128,9 @@ std::vector<Option> texture_rows() {
            .truth = pixel_average("hardware-texturing=shader;texture-filter=bilinear"),
            .acts_for = ActsFor::readers,
            .only_for = "only the hardware renderer uses it",
-           .inactive = needs_textures_on},
+           .inactive = needs_textures_on,
+           .known_to = {.fast = any_value, .hardware = defined_as("HARDWARE_TEXTURING")},
+           .shown_by = {.experiments = {{"driver-level"}}, .scenes = {{"cgfs/crates"}}}},
           {{"shader", "in the shader", "The formula of the rasterizer, texel by texel."},
            {"driver", "by the driver", "The driver's filter and level of detail."}}),
       choice<&Settings::texture_wrap>({.key = "texture-wrap",
@@ -111,7 +138,9 @@ std::vector<Option> texture_rows() {
                                        .help = {"What lookups outside the texture return.", "CGFS ch. 14", ""},
                                        .keywords = "repeat, clamp, mirror, address mode, tiling, border",
                                        .truth = other_picture(),
-                                       .inactive = needs_textures_on},
+                                       .inactive = needs_textures_on,
+                                       .known_to = {.fast = any_value, .hardware = any_value},
+                                       .shown_by = {.experiments = none, .scenes = {{"cgfs/brick-wall"}}}},
                                       {{"repeat", "repeat", "The texture repeats."},
                                        {"clamp", "clamp", "The nearest border texel."},
                                        {"mirror", "mirror", "The texture repeats, mirrored every second time."}}),
@@ -124,7 +153,14 @@ std::vector<Option> texture_rows() {
                     "Outlines and shadows stay those of the flat surface, which is visible at grazing angles."},
            .keywords = "bump map, bump mapping, normal map, tangent space, relief",
            .truth = exactly("normal-mapping=on"),
-           .inactive = needs_normal_map}),
+           .inactive = needs_normal_map,
+           .known_to = {.fast = {limit(every_fragment, 30, "normal maps are shaded one fragment at a time",
+                                       [](const Settings& s, const SceneTraits& t) {
+                                         return s.normal_mapping && t.normal_maps && s.lighting &&
+                                                s.shading == Shading::phong && t.casting_lights;
+                                       })},
+                        .hardware = any_value},
+           .shown_by = {.experiments = none, .scenes = {{"cgfs/brick-wall"}}}}),
       choice<&Settings::parallax>(
           {.key = "parallax-mapping",
            .label = "Parallax mapping",
@@ -134,7 +170,12 @@ std::vector<Option> texture_rows() {
                     "Outlines, depth and shadows stay flat; at grazing angles offsets swim and steps show as slices."},
            .keywords = "relief mapping, height map, displacement, bump, parallax occlusion",
            .truth = exactly("parallax-mapping=occlusion;parallax-steps=256"),
-           .inactive = needs_height_map},
+           .inactive = needs_height_map,
+           .known_to = {.fast = {knows(every_fragment, 20, Parallax::off)
+                                     .where(&SceneTraits::height_maps)
+                                     .said("reliefs are shaded one fragment at a time")},
+                        .hardware = any_value},
+           .shown_by = {.experiments = none, .scenes = {{"cgfs/relief", "parallax-mapping=steep"}}}},
           {{"off", "off", "The texture lies on the surface."},
            {"offset", "offset", "Shifts by the relief's depth below the point: too far at grazing angles."},
            {"limited", "offset, limited", "Limits the shift to the depth: stable at grazing angles, but too flat."},
@@ -148,7 +189,9 @@ std::vector<Option> texture_rows() {
                 "Too few: the relief shows slices and misses details thinner than a step. Each step reads the map."},
            .keywords = "relief mapping, height map, ray march, slices",
            .truth = exactly("parallax-steps=256"),
-           .inactive = needs_relief_steps},
+           .inactive = needs_relief_steps,
+           .known_to = {.fast = any_value, .hardware = defined_as("PARALLAX_STEPS")},
+           .shown_by = {.experiments = none, .scenes = {{"cgfs/relief", "parallax-mapping=steep"}}}},
           1, 256, "steps"),
   };
 }

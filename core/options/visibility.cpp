@@ -61,6 +61,18 @@ Reason needs_triangles(const Settings&, const SceneTraits& t) {
   return {};
 }
 
+constexpr std::string_view one_pass = "SIMD needs one pass: no early depth, deferred shading or light passes";
+
+/// The hardware renderer draws light that is computed at vertices light by light, where each has a shadow of its own.
+Reason deferred_lacks(OptionNumber on, const Settings& s) {
+  const bool at_vertices = s.lighting && s.shading != Shading::phong;
+  const bool by_light = s.shadows != Shadows::none && s.shadows != Shadows::traced;
+  if (on != 0 && at_vertices && by_light)
+    return needs("shading", Shading::phong)
+        .said("a buffer that holds the light of vertices holds the sum of all lights, and shadows need each by itself");
+  return {};
+}
+
 }  // namespace
 
 std::vector<Option> visibility_rows() {
@@ -75,7 +87,11 @@ std::vector<Option> visibility_rows() {
                "hidden surface, painter's algorithm, draw order, occlusion",
            .truth = exactly("visibility=depth-buffer"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_triangles},
+           .inactive = needs_triangles,
+           .known_to = {.fast = {knows(whole_tiles, 10, Visibility::depth_buffer)}, .hardware = any_value},
+           .shown_by = {.experiments = {{"painter-s-cycle", is_not<&Settings::visibility, Visibility::depth_buffer>,
+                                         "visibility=depth-buffer"}},
+                        .scenes = {{"cgfs/depth"}}}},
           {{"depth-buffer", "depth buffer", "Each pixel stores the depth of its visible surface."},
            {"painter", "painter", "Triangles are sorted by their mean depth and drawn from back to front."},
            {"draw-order", "draw order", "The triangle that is drawn last is visible."}}),
@@ -90,7 +106,20 @@ std::vector<Option> visibility_rows() {
            .keywords = "z-buffer, zbuffer, depth buffer, w-buffer, 1/z, linear depth",
            .truth = exactly("depth-value=inverse-z"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_depth_buffer},
+           .inactive = needs_depth_buffer,
+           .known_to = {.fast = {limit(fragment_batches, 80,
+                                       "SIMD interpolates depth: it needs another depth-value than ray-plane",
+                                       [](const Settings& s, const SceneTraits&) {
+                                         return s.visibility == Visibility::depth_buffer &&
+                                                s.depth_value == DepthValue::ray_plane;
+                                       }),
+                                 knows(whole_tiles, 20, DepthValue::inverse_z)},
+                        .hardware = lacking("the hardware renderer has no plane equations: depth is interpolated",
+                                            DepthValue::ray_plane)},
+           .shown_by = {.experiments = {{"z-vs-1-z", is<&Settings::depth_value, DepthValue::z>,
+                                         "depth-value=inverse-z"},
+                                        {"16-bit-linear-z"}},
+                        .scenes = {{"lab/z-fighting"}}}},
           {{"inverse-z", "1/z", "Linear on the screen, so interpolation is exact."},
            {"z", "z, interpolated linearly", "Wrong between the vertices; surfaces close to each other may swap."},
            {"distance", "distance to the eye", "Computed per pixel from the perspective-correct position."},
@@ -108,7 +137,15 @@ std::vector<Option> visibility_rows() {
            .keywords = "z-buffer, zbuffer, depth buffer, z-fighting, depth precision, unorm, integer depth",
            .truth = exactly("depth-format=plain"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_range},
+           .inactive = needs_range,
+           .known_to = {.fast = {knows(fragment_batches, 70, DepthFormat::plain)}, .hardware = any_value},
+           .shown_by = {.experiments = {{"depth-bits-z-fighting",
+                                         [](const Settings& s) {
+                                           return s.depth_format == DepthFormat::unorm ||
+                                                  (s.depth_format == DepthFormat::unit_float && !s.depth_reversed);
+                                         },
+                                         "depth-format=plain"}},
+                        .scenes = {{"lab/z-fighting"}}}},
           {{"plain", "plain float", "1/z, z or the distance as a floating-point number."},
            {"unit-float", "float, 0 to 1", "0 at the near plane, 1 at the far one, as 32-bit float."},
            {"unorm", "integer, 0 to 1", "The same as an integer with depth-bits bits."}}),
@@ -120,7 +157,10 @@ std::vector<Option> visibility_rows() {
            .keywords = "z-buffer, zbuffer, depth buffer, z-fighting, depth precision, 16 bit, 24 bit",
            .truth = exactly("depth-format=plain"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_integers},
+           .inactive = needs_integers,
+           .known_to = {.fast = any_value, .hardware = any_value},
+           .shown_by = {.experiments = {{"depth-bits-z-fighting"}, {"16-bit-linear-z"}},
+                        .scenes = {{"lab/z-fighting"}}}},
           4, 24, "bits"),
       toggle<&Settings::depth_reversed>(
           {.key = "depth-reversed",
@@ -132,7 +172,10 @@ std::vector<Option> visibility_rows() {
            .keywords = "reversed z, reverse z, z-buffer, zbuffer, z-fighting, depth precision",
            .truth = exactly("depth-format=plain"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_unit_range}),
+           .inactive = needs_unit_range,
+           .known_to = {.fast = any_value, .hardware = any_value},
+           .shown_by = {.experiments = {{"depth-bits-z-fighting"}, {"near-plane"}},
+                        .scenes = {{"lab/z-fighting", "depth-format=unit-float"}}}}),
       toggle<&Settings::early_depth>(
           {.key = "early-depth",
            .label = "Early depth pass",
@@ -143,7 +186,13 @@ std::vector<Option> visibility_rows() {
            .keywords = "early z, z prepass, depth prepass, overdraw, z-buffer",
            .truth = as_set(),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_early_depth}),
+           .inactive = needs_early_depth,
+           .known_to = {.fast = {limit(fragment_batches, 90, one_pass,
+                                       [](const Settings& s, const SceneTraits& t) {
+                                         return s.early_depth && !needs_passes(s, t);
+                                       })},
+                        .hardware = any_value},
+           .shown_by = {.experiments = none, .scenes = {{"lab/depth-complexity"}}}}),
       toggle<&Settings::deferred_shading>(
           {.key = "deferred-shading",
            .label = "Deferred shading",
@@ -152,7 +201,13 @@ std::vector<Option> visibility_rows() {
            .keywords = "g-buffer, deferred rendering, overdraw",
            .truth = as_set(),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_single_pass_lights}),
+           .inactive = needs_single_pass_lights,
+           .known_to = {.fast = {limit(fragment_batches, 90, one_pass,
+                                       [](const Settings& s, const SceneTraits& t) {
+                                         return s.deferred_shading && !needs_passes(s, t);
+                                       })},
+                        .hardware = lacking_if(deferred_lacks)},
+           .shown_by = {.experiments = none, .scenes = {{"lab/depth-complexity"}}}}),
       choice<&Settings::light_passes>(
           {.key = "light-passes",
            .label = "Lights",
@@ -164,7 +219,13 @@ std::vector<Option> visibility_rows() {
            .keywords = "multipass, forward rendering, additive blending, many lights",
            .truth = as_set(),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_light_passes},
+           .inactive = needs_light_passes,
+           .known_to = {.fast = {limit(fragment_batches, 90, one_pass,
+                                       [](const Settings& s, const SceneTraits& t) {
+                                         return s.light_passes == LightPasses::many && !needs_light_passes(s, t);
+                                       })},
+                        .hardware = any_value},
+           .shown_by = {.experiments = none, .scenes = {{"lab/depth-complexity"}}}},
           {{"one", "in one pass", "Evaluates all lights when a fragment is shaded."},
            {"many", "one pass each", "Draws one depth pass, then one pass for each light."}}),
       toggle<&Settings::backface_culling>(
@@ -175,7 +236,9 @@ std::vector<Option> visibility_rows() {
            .keywords = "back face, cull face, winding, one-sided, front face",
            .truth = exactly("backface-culling=off"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_triangles}),
+           .inactive = needs_triangles,
+           .known_to = {.fast = any_value, .hardware = any_value},
+           .shown_by = {.experiments = none, .scenes = {{"cgfs/depth"}}}}),
       choice<&Settings::clipping>(
           {.key = "clipping",
            .label = "Clipping",
@@ -184,7 +247,12 @@ std::vector<Option> visibility_rows() {
            .keywords = "frustum, near plane, Sutherland-Hodgman, behind the camera, guard band",
            .truth = exactly("clipping=full"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_triangles},
+           .inactive = needs_triangles,
+           .known_to = {.fast = any_value,
+                        .hardware = lacking("a driver draws nothing that lies behind the eye", Clipping::none)},
+           .shown_by = {.experiments = {{"near-plane-clipping", is<&Settings::clipping, Clipping::none>,
+                                         "clipping=full"}},
+                        .scenes = {{"cgfs/behind", "subpixel-bits=12;clipping=near"}}}},
           {{"full", "near and sides",
             "Clips at the near plane and the four side planes; triangles that cross a plane are split."},
            {"near", "near plane only", "Only the near plane clips; pixels outside the image are skipped."},

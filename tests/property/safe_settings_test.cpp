@@ -104,6 +104,19 @@ TEST(SafeSettings, EveryWarningNamesAnExperimentAndAnOption) {
   EXPECT_GT(warnings, 3) << "scenes that show faults on purpose";
 }
 
+/// Experiments that measure the driver are missing where no renderer uses one.
+TEST(SafeSettings, RowsNameExperimentsThatThereAre) {
+  int named = 0;
+  for (const Option& option : option_table())
+    for (const OptionExperiment& experiment : option.shown_by.experiments.list) {
+      ++named;
+      EXPECT_EQ(experiment.unsafe == nullptr, experiment.safe.empty()) << option.key;
+      if (experiment.key.starts_with("driver-")) continue;
+      EXPECT_NO_THROW(find_stability_experiment(experiment.key)) << option.key;
+    }
+  EXPECT_GT(named, 60);
+}
+
 TEST(StabilityPictures, EveryPointOpensAndItsFailureIsFound) {
   int failing = 0;
   const auto all = stability_experiments();

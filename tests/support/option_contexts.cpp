@@ -1,6 +1,10 @@
 #include "support/option_contexts.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <map>
+#include <sstream>
 
 #include "base/resources.h"
 #include "frame/display_frame.h"
@@ -13,7 +17,64 @@
 namespace ps::test {
 namespace {
 
-std::string lesson_scene(const char* lesson, const char* name) { return (chapter_dir() / lesson / name).string(); }
+/// A file's path, or the name of a built-in scene.
+std::string path_of(std::string_view scene) {
+  if (!scene.ends_with(".scene")) return std::string(scene);
+  if (scene.find('/') == std::string_view::npos) return PIXELSCOPE_TEST_DIR "/support/" + std::string(scene);
+  return (chapter_dir() / scene).string();
+}
+
+/// The scene's own renderer or, if it does not use the option, the first that does; none where that cannot draw here.
+std::optional<Renderer> renderer_using(const Option& option, Settings settings, const SceneTraits& traits) {
+  const auto uses = [&] {
+    const auto reason = inactive_reason(option, settings, traits);
+    return !reason || reason->kind() != IdleReason::Kind::renderer;
+  };
+  if (uses()) return settings.renderer;
+  for (std::size_t i = 0; i < renderer_kinds().size(); ++i) {
+    settings.renderer = static_cast<Renderer>(i);
+    if (uses() && has_renderer(renderer_kinds()[i].key)) return settings.renderer;
+  }
+  return {};
+}
+
+std::optional<OptionContext> context_of(const Option& option, const SeenScene& seen) {
+  OptionContext context{path_of(seen.scene), {}};
+  const Scene scene = load_scene(context.scene);
+  const Settings own = settings_for(scene);
+  std::istringstream assignments{std::string(seen.settings)};
+  Settings settings = own;
+  for (std::string assignment; std::getline(assignments, assignment, ';');) {
+    parse_assignment(assignment, settings);
+    context.assignments.push_back(assignment);
+  }
+  const auto renderer = seen.way ? renderer_for(*seen.way) : renderer_using(option, settings, scene_traits(scene));
+  if (!renderer) return {};
+  if (*renderer != own.renderer)
+    context.assignments.insert(context.assignments.begin(), fmt::format("renderer={}", renderer_kind(*renderer).key));
+  return context;
+}
+
+struct AllContexts {
+  std::vector<OptionContext> list;
+  std::map<std::string_view, std::vector<std::size_t>> of_option;  ///< indices into `list`, by key
+};
+
+const AllContexts& all_contexts() {
+  static const AllContexts all = [] {
+    AllContexts found;
+    for (const Option& option : option_table())
+      for (const SeenScene& seen : option.shown_by.scenes.list) {
+        auto context = context_of(option, seen);
+        if (!context) continue;
+        const auto same = std::find(found.list.begin(), found.list.end(), *context);
+        found.of_option[option.key].push_back(static_cast<std::size_t>(same - found.list.begin()));
+        if (same == found.list.end()) found.list.push_back(std::move(*context));
+      }
+    return found;
+  }();
+  return all;
+}
 
 Outcome outcome(const Scene& scene, int width, int height, const Settings& settings, Prepared& prepared) {
   Progress progress;
@@ -60,70 +121,7 @@ bool lacks_its_renderer(const Option& option) {
   return std::none_of(all.begin(), all.end(), [&](const NamedListing& one) { return listing_reads(one, option.key); });
 }
 
-const std::vector<OptionContext>& option_contexts() {
-  static const std::vector<OptionContext> all = [] {
-    std::vector<OptionContext> contexts{
-        {"cgfs/reflections", {}},
-        {"cgfs/reflections", {"renderer=rasterizer"}},
-        {"cgfs/reflections", {"self-hit=epsilon"}},
-        {"cgfs/reflections", {"self-hit=epsilon", "shadow-epsilon=0.1"}},
-        {"cgfs/shading", {"renderer=rasterizer"}},
-        {"cgfs/shading", {"triangle-test=moeller-trumbore"}},
-        {"cgfs/shading", {"triangle-test=moeller-trumbore", "triangle-epsilon=1"}},
-        {"cgfs/crates", {"renderer=rasterizer"}},
-        {"cgfs/depth", {"renderer=rasterizer"}},
-        {"cgfs/depth", {"renderer=rasterizer", "subpixel-bits=12"}},
-        {"lab/depth-complexity", {}},
-        {"lab/far-origin", {}},
-        {"lab/z-fighting", {}},
-        {"lab/z-fighting", {"depth-format=unit-float"}},
-        {"cgfs/lines", {"renderer=rasterizer"}},
-        {"cgfs/wireframe", {"renderer=rasterizer"}},
-        {"cgfs/reflections", {"samples-per-pixel=4"}},
-        {"cgfs/reflections", {"samples-per-pixel=4", "adaptive-sampling=on"}},
-        {"cgfs/brick-wall", {}},
-        {"cgfs/relief", {"parallax-mapping=steep"}},
-        {"cgpp/teapot", {"renderer=rasterizer", "tessellation=20"}},
-        {"octree/attenuation", {}},
-        {"cgfs/magnifying-glass", {}},
-        {"lab/flattened", {"renderer=rasterizer"}},
-        {"cgfs/cubes", {"renderer=rasterizer", "subpixel-bits=0"}},
-        {"cgfs/reflections", {"accelerator=octree", "octree-leaf=1"}},
-        {"cgfs/shadows", {"renderer=rasterizer", "shadows=map", "shadow-map-size=64"}},
-        {"cgfs/shadows", {"renderer=rasterizer", "shadows=stencil-depth-fail", "far=7"}},
-        {"lab/stacked-shadows", {}},
-        {"lab/mirror-room", {"environment-size=32"}},
-        {"cgfs/reflections", {"renderer=textbook"}},
-        {"cgfs/shading", {"renderer=textbook"}},
-        {lesson_scene("cgfs_14_textures", "floor.scene"), {"renderer=rasterizer"}},
-        {lesson_scene("cgfs_14_textures", "closeup.scene"), {"renderer=rasterizer", "texture-filter=bilinear"}},
-        {"cgfs/triangles", {"renderer=textbook"}},
-        {"cgfs/shaded-triangle", {"renderer=textbook"}},
-        {"cgfs/crates", {"renderer=textbook"}},
-        {"cgfs/shading", {"accelerator=octree"}},
-        {"cgfs/behind", {"renderer=rasterizer", "subpixel-bits=12", "clipping=near"}},
-        {"lab/depth-complexity", {"subpixel-bits=12"}},
-        {"lab/polygons", {}},
-        {"cgfs/spheres", {"renderer=textbook"}},
-        {"cgfs/lights", {"renderer=textbook"}},
-        {lesson_scene("cgfs_06_lines", "ends.scene"), {"renderer=textbook"}},
-        {lesson_scene("cgfs_07_filled_triangles", "square.scene"), {"renderer=textbook"}},
-        {"cgfs/cubes", {"renderer=textbook", "listing=cgfs-10-scenes"}},
-        {"cgfs/depth", {"renderer=textbook", "backface-culling=on"}},
-        {"cgfs/depth", {"renderer=textbook", "backface-culling=off"}},
-        {lesson_scene("cgfs_11_clipping", "two.scene"), {"renderer=textbook", "listing=cgfs-11-clipping"}},
-        {lesson_scene("cgfs_15_shadows_in_the_rasterizer", "yard.scene"), {"renderer=textbook"}},
-        {"cgpp/ground", {"renderer=textbook", "listing=cgpp-15-4-measured-light"}},
-        {lesson_scene("cgpp_15_6_exact_edges", "fan.scene"), {"renderer=textbook", "listing=cgpp-15-6-exact-edges"}},
-        {"lab/polygon-rows", {"renderer=textbook", "listing=lab-cornell"}},
-        {"cgfs/cubes", {"renderer=textbook", "listing=oct-dont-test-everything"}},
-        {PIXELSCOPE_TEST_DIR "/support/sixteen_lights.scene", {}},
-    };
-    if (has_renderer("hardware")) contexts.push_back({"cgfs/crates", {"renderer=hardware"}});
-    return contexts;
-  }();
-  return all;
-}
+const std::vector<OptionContext>& option_contexts() { return all_contexts().list; }
 
 struct OptionResponses::Loaded {
   Scene scene;
@@ -166,17 +164,24 @@ std::optional<OptionResponse> OptionResponses::find_in(std::size_t context, cons
   return {};
 }
 
+std::vector<std::size_t> contexts_of(const Option& option) {
+  const auto found = all_contexts().of_option.find(option.key);
+  return found == all_contexts().of_option.end() ? std::vector<std::size_t>{} : found->second;
+}
+
 std::optional<OptionResponse> OptionResponses::find(const Option& option) {
   for (const bool pictures_only : {true, false})
-    for (std::size_t context = 0; context < loaded_.size(); ++context)
+    for (const std::size_t context : contexts_of(option))
       if (auto response = find_in(context, option, pictures_only)) return response;
   return {};
 }
 
-std::vector<AlikeValues> OptionResponses::alike(const Option& option, const std::vector<OptionNumber>& values) {
+std::vector<AlikeValues> OptionResponses::alike(const Option& option, const std::vector<OptionNumber>& values,
+                                                const std::vector<std::size_t>& contexts) {
   const std::size_t count = values.size();
   std::vector<std::vector<bool>> apart(count, std::vector<bool>(count, false));
-  for (const std::unique_ptr<Loaded>& loaded : loaded_) {
+  for (const std::size_t context : contexts) {
+    const std::unique_ptr<Loaded>& loaded = loaded_[context];
     const SceneTraits traits = scene_traits(loaded->scene);
     if (inactive_reason(option, loaded->settings, traits)) continue;
     std::vector<std::optional<Outcome>> outcomes(count);

@@ -17,6 +17,7 @@ std::vector<OptionNumber> values_of(const Option& option);
 struct OptionContext {
   std::string scene;  ///< a built-in name or a path
   std::vector<std::string> assignments;
+  bool operator==(const OptionContext&) const = default;
 };
 
 /// Is there a renderer of this key that can draw here?
@@ -24,9 +25,11 @@ bool has_renderer(std::string_view key);
 /// Is the option used by renderers alone that cannot draw here, such as the hardware renderer where there is no OpenGL?
 bool lacks_its_renderer(const Option& option);
 
-/// Enough of them that any two choices of an option, and the ends of its range, differ in at least one, unless they
-/// have the same result by design.
+/// The scenes that the rows of all options name (Option::shown_by), each once, where their renderers can draw.
 const std::vector<OptionContext>& option_contexts();
+/// Those of one option, as indices: any two choices, and the ends of its range, differ in at least one of them, unless
+/// they have the same result by design.
+std::vector<std::size_t> contexts_of(const Option& option);
 
 /// What a render of a context gives.
 struct Outcome {
@@ -52,13 +55,14 @@ class OptionResponses {
  public:
   OptionResponses(int width, int height);
   ~OptionResponses();
-  /// The first context, in their order, in which the option says that it can act and some value of it changes the
-  /// picture or, if none does anywhere, a counter.
+  /// The first of the option's contexts in which it says that it can act and some value of it changes the picture or,
+  /// if none does anywhere, a counter.
   std::optional<OptionResponse> find(const Option& option);
 
-  /// The pairs of these values of an option that no context tells apart, neither by its picture nor by a counter. Two
-  /// values are compared in the contexts in which the option can act and neither of them is inactive.
-  std::vector<AlikeValues> alike(const Option& option, const std::vector<OptionNumber>& values);
+  /// The pairs of these values of an option that none of these contexts tells apart, neither by its picture nor by a
+  /// counter. Two values are compared in the contexts in which the option can act and neither of them is inactive.
+  std::vector<AlikeValues> alike(const Option& option, const std::vector<OptionNumber>& values,
+                                 const std::vector<std::size_t>& contexts);
 
   /// A context's settings, and what it gives with them.
   const Settings& settings(std::size_t context) const;

@@ -2,7 +2,9 @@
 
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <set>
+#include <type_traits>
 
 #include "base/check.h"
 #include "base/enumerators.h"
@@ -80,10 +82,9 @@ TEST(OptionTable, OnlyChoicesHaveThem) {
 }
 
 TEST(OptionTableDeathTest, ARowWithoutAChoiceForEachEnumeratorEndsTheProgram) {
-  rows::Names names;
-  names.key = "fill-rule";
+  const OptionFacts& facts = *find_option("fill-rule");
   const std::vector<Choice> two{{"top-left", "top-left", ""}, {"inclusive", "inclusive", ""}};
-  EXPECT_DEATH(rows::choice<&Settings::fill_rule>(names, two), "choices of fill-rule");
+  EXPECT_DEATH(rows::choice<&Settings::fill_rule>(facts, two), "choices of fill-rule");
 }
 
 TEST(OptionTable, DefaultsLieInRange) {
@@ -179,6 +180,33 @@ TEST(OptionTable, ChangedOptionsRebuildTheSettings) {
 }
 
 // A chart of any option needs to know what its errors are measured against, and the settings that it names must exist.
+// A row that leaves one of them out does not compile.
+static_assert(!std::is_default_constructible_v<FastLimits> && !std::is_default_constructible_v<HardwareUse>);
+static_assert(!std::is_default_constructible_v<OptionExperiments> && !std::is_default_constructible_v<SeenScenes>);
+
+TEST(OptionTable, EachSaysWhatTheHardwareRendererDoesIfFragmentsUseIt) {
+  for (const Option& option : option_table()) {
+    const HardwareUse& use = option.known_to.hardware;
+    if (option.acts_for != ActsFor::readers) {
+      EXPECT_EQ(use.asked, acts_for(option.acts_for, PictureWay::fragments)) << option.key;
+    }
+    const bool lacks = use.first_lacked <= use.last_lacked || use.as_driver_offers;
+    EXPECT_EQ(use.reason.empty(), !lacks) << option.key;
+  }
+}
+
+// Two limits of one place would be named in the order of the table's rows, which says nothing of code.
+TEST(OptionTable, FastLimitsOfOnePlaceHaveOneReason) {
+  std::map<std::pair<FastCode, int>, std::string> reasons;
+  for (const Option& option : option_table())
+    for (const FastLimit& limit : option.known_to.fast.list) {
+      EXPECT_FALSE(limit.reason.empty()) << option.key;
+      EXPECT_NE(limit.known.empty(), limit.reached == nullptr) << option.key;
+      EXPECT_EQ(reasons.try_emplace({limit.code, limit.place}, limit.reason).first->second, limit.reason) << option.key;
+    }
+  EXPECT_EQ((reasons.at({FastCode::sphere_packets, 120})), "packets need accelerator = bvh or none");
+}
+
 TEST(OptionTable, EachDeclaresItsTruth) {
   for (const Option& option : option_table()) {
     EXPECT_NE(option.truth.kind, TruthKind::undeclared) << option.key;

@@ -46,7 +46,7 @@ void main() {
   gl_Position = clip_position(camera);
 
   vec3 own_normal = unit_or_zero(surface_matrix * triangle_normal);
-#if CORNER_NORMALS
+#if !TRIANGLE_NORMALS
   vec3 normal = world_normal(corner_normal);
 #else
   vec3 normal = own_normal;
@@ -77,7 +77,7 @@ void main() {
   carried_light = lighting.light * share;
   carried_extra = lighting.extra * share;
 #elif SHADING == FLAT
-#if CORNER_NORMALS
+#if !TRIANGLE_NORMALS
   vec3 mean = unit_or_zero((world_normal(normal_0) + world_normal(normal_1) + world_normal(normal_2)) / 3.0);
 #else
   vec3 mean = own_normal;

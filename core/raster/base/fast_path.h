@@ -23,8 +23,5 @@ struct PictureLimits {
 /// What draws the picture where rasterized_fast_path() said `allowed`.
 FastPath within_limits(const FastPath& allowed, const PictureLimits& limits);
 
-/// Sub-pixel bits that the kernels of whole frames have room for.
-inline constexpr int fast_subpixel_bits = 8;
-
 }  // namespace raster
 }  // namespace ps

@@ -66,8 +66,8 @@ struct AssemblyRules {
   std::int32_t sample_x = 0, sample_y = 0;  ///< of the sample in its pixel
   FillRule fill_rule = FillRule::top_left;
   int columns = 0, rows = 0;
-  /// Triangles that reach this far are large. With at most 8 sub-pixel bits every difference has 14 bits, every product
-  /// 29, and an edge value up to a vector beyond the box still fits 31.
+  /// Triangles that reach this far are large. With at most fast_subpixel_bits every difference has 14 bits, every
+  /// product 29, and an edge value up to a vector beyond the box still fits 31.
   std::int32_t large = 1 << 14;
 };
 

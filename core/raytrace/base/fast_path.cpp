@@ -1,14 +1,8 @@
 #include "raytrace/base/fast_path.h"
 
-#include <string>
-
-#include <fmt/format.h>
-
 #include "accel/bvh.h"
 #include "frame/fast_kernels.h"
-#include "options/simd_choice.h"
-#include "options/triangle_tests.h"
-#include "raytrace/base/accelerators.h"
+#include "options/fast_limits.h"
 #include "raytrace/sampling/plan.h"
 
 namespace ps {
@@ -17,8 +11,6 @@ namespace {
 /// Beyond this many spheres the tree of boxes pays, or, without one, packets would test too much in vain.
 constexpr std::size_t most_packet_spheres = bvh_no_tree;
 
-bool fading_lights(const Settings& s, const SceneTraits& t) { return t.attenuated && s.attenuation; }
-
 /// Why packets of rays against spheres cannot draw it; empty if they can.
 std::string_view no_sphere_packets(const Settings& s, const SceneTraits& t, Channel channels) {
   if (t.triangles || t.solids || t.csg) return "packets of rays need a scene of spheres only";
@@ -26,16 +18,7 @@ std::string_view no_sphere_packets(const Settings& s, const SceneTraits& t, Chan
   const bool one_ray = sampling_plan(s).mode == SamplingMode::one;  // then packets store shadows, too
   if (!only_fast_channels(one_ray ? without(channels, Channel::shadow) : channels))
     return "only scalar code stores what this view shows";
-  if (s.projection != Projection::perspective) return "packets need projection = perspective";
-  if (s.sphere_test != SphereTest::robust) return "packets need sphere-test = robust";
-  if (s.self_hit != SelfHit::offset) return "packets need self-hit = offset";
-  if (s.highlight != Highlight::phong) return "packets need highlight = phong";
-  if (s.illumination != Illumination::book) return "packets need illumination = book";
-  if (fading_lights(s, t)) return "packets need attenuation = off";
-  if (!s.cache_constants) return "packets need cache-constants = on";
-  if (s.shadow_cache) return "packets need shadow-cache = off";
-  if (s.accelerator != Accelerator::bvh && s.accelerator != Accelerator::none)
-    return "packets need accelerator = bvh or none";
+  if (const auto reason = fast_limit(FastCode::sphere_packets, s, t); !reason.empty()) return reason;
   if (t.textures || t.normal_maps) return "packets do not support textures";
   if (t.tinted) return "packets need one colour per surface";
   if (t.odd_highlights) return "packets need exponents above 0";
@@ -43,56 +26,33 @@ std::string_view no_sphere_packets(const Settings& s, const SceneTraits& t, Chan
   return "";
 }
 
-/// Names the tests that have SIMD kernels.
-std::string_view wide_tests_reason() {
-  static const std::string reason = [] {
-    std::string keys;
-    for (const TriangleTestRow& row : triangle_test_rows)
-      if (row.simd) keys += fmt::format("{}{}", keys.empty() ? "" : " or ", row.key);
-    return "SIMD searches need triangle-test = " + keys;
-  }();
-  return reason;
-}
-
 /// Why SIMD cannot search the triangles; empty if it can.
 std::string_view no_wide_triangles(const Settings& s, const SceneTraits& t, Channel channels) {
   if (!t.triangles) return "SIMD searches need a scene of triangles only";
   if (has(channels, Channel::tests)) return "the view shows the tests of the scalar search";
-  if (!s.cache_constants) return "SIMD searches need cache-constants = on";
-  const bool searched =
-      uses_bvh<float>(s) || s.accelerator == Accelerator::octree || s.accelerator == Accelerator::none;
-  if (!searched && s.accelerator == Accelerator::embree) return "Embree's kernels search, scalar code shades";
-  if (!searched) return "SIMD searches need accelerator = bvh, octree or none";
-  if (s.slab_test != SlabTest::robust) return "SIMD searches need slab-test = robust";
-  if (!row_of(s.triangle_test).simd) return wide_tests_reason();
+  if (const auto reason = fast_limit(FastCode::triangle_search, s, t); !reason.empty()) return reason;
   if (t.one_sided) return "SIMD searches do not support one-sided triangles";
   if (t.any_transparency) return "SIMD searches do not support transparency";
   return "";
 }
 
+/// Which surfaces of the scene SIMD does not shade; empty if it shades all.
+std::string_view no_plain_surfaces(const SceneTraits& t) {
+  if (t.spheres || t.solids || t.csg) return "SIMD shading needs hits on triangles";
+  if (t.textures || t.normal_maps || t.height_maps) return "textured surfaces are shaded one hit at a time";
+  if (t.tinted || t.odd_highlights) return "surfaces of several colours are shaded one hit at a time";
+  return "";
+}
+
 /// Which hits SIMD shades besides, and why not more.
 FastPath shaded_hits(const Settings& s, const SceneTraits& t, Channel channels) {
-  const auto single = [](std::string_view reason) {
-    return FastPath{Machinery::wide_triangles, SurfaceShading::single, reason};
-  };
-  const auto mixed = [](std::string_view reason) {
-    return FastPath{Machinery::wide_triangles, SurfaceShading::mixed, reason};
-  };
-  const SamplingMode mode = sampling_plan(s).mode;
-  if (mode == SamplingMode::many) return single("SIMD shading needs one ray per pixel");
-  if (mode == SamplingMode::subsampling) return single("SIMD shading needs subsampling = 1");
-  if (!only_fast_channels(channels)) return single("only scalar shading stores what this view shows");
-  if (s.illumination != Illumination::book) return single("SIMD shading needs illumination = book");
-  if (fading_lights(s, t)) return single("SIMD shading needs attenuation = off");
-  if (s.shadow_cache) return single("SIMD shading needs shadow-cache = off");
-  const std::optional<Simd> target = widest_simd(s.simd);
-  if (!target || *target == Simd::sse4) return single("SIMD shading of hits needs AVX2");
-  if (mode == SamplingMode::adaptive) return mixed("further samples of a pixel are shaded one after the other");
-  if (t.spheres || t.solids || t.csg) return mixed("SIMD shading needs hits on triangles");
-  if (t.textures || t.normal_maps || t.height_maps) return mixed("textured surfaces are shaded one hit at a time");
-  if (t.tinted || t.odd_highlights) return mixed("surfaces of several colours are shaded one hit at a time");
-  if (s.reflection_depth > 0 && t.reflective) return mixed("reflective surfaces are shaded one hit at a time");
-  return {Machinery::wide_triangles, SurfaceShading::lanes, ""};
+  constexpr int after_sampling = 30, before_reflection = 20;
+  const std::string_view none =
+      fast_limit(FastCode::hit_shading, s, t, after_sampling,
+                 only_fast_channels(channels) ? "" : "only scalar shading stores what this view shows");
+  if (!none.empty()) return {Machinery::wide_triangles, SurfaceShading::single, none};
+  const std::string_view some = fast_limit(FastCode::every_hit, s, t, before_reflection, no_plain_surfaces(t));
+  return {Machinery::wide_triangles, some.empty() ? SurfaceShading::lanes : SurfaceShading::mixed, some};
 }
 
 }  // namespace

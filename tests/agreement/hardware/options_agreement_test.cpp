@@ -1,5 +1,5 @@
-// What the hardware renderer draws is what the rasterizer draws, for every value of every option that it honours. Its
-// list of what it lacks (core/hardware/lacks.h) is the only way out.
+// What the hardware renderer draws is what the rasterizer draws, for every value of every option that it honours. What
+// it lacks by the option's row (HardwareUse) is the only way out.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
