@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "gui/panels/pictures/picture_text.h"
-#include "gui/panels/studies/timings_panel.h"
+#include "gui/panels/studies/timings_tab.h"
 #include "gui/session/timed_pictures.h"
 #include "options/option.h"
 

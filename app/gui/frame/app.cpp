@@ -396,7 +396,7 @@ void App::Parts::draw() {
   ImGui::End();
   message_bars(session, status_bar, px(8), size.x - px(8), size.y - status_height);
   if (const auto experiment = unsafe_lines(session, my.unsafe, my.pictures)) {
-    show_experiment(my.stability, *experiment);
+    my.stability.show(*experiment);
     open_tool(tool_names::stability);
   }
   files.draw();

@@ -20,7 +20,7 @@
 #include "gui/panels/studies/needs_tab.h"
 #include "gui/panels/studies/stability_tab.h"
 #include "gui/panels/studies/study_folder.h"
-#include "gui/panels/studies/timings_panel.h"
+#include "gui/panels/studies/timings_tab.h"
 #include "gui/panels/studies/unsafe_line.h"
 #include "gui/panels/studies/why_tab.h"
 
@@ -46,11 +46,11 @@ struct PanelStates {
   ListingPanelState listing;
   VertexPanelState vertex;
   StudyFolder folder;
-  ChartTabState chart;
-  StabilityTabState stability;
-  NeedsTabState needs;
-  WhyTabState why;
-  TimingsState timings;
+  ChartTab chart;
+  StabilityTab stability;
+  NeedsTab needs;
+  WhyTab why;
+  TimingsTab timings;
   UnsafeState unsafe;
   DrawerState drawer;
 };

@@ -36,8 +36,7 @@ bool unless_asked(Session& session, PredictState& predict, const std::function<b
 
 /// Measurements for a lesson wait for the pictures' own renders, and for studies, which may measure times.
 bool lesson_measurements_wait(const Session& session, const PanelStates& my) {
-  const auto runs = [](const auto& study) { return study.state() == StudyState::running; };
-  return session.rendering() || runs(my.chart.study) || runs(my.needs.study) || runs(my.timings.study);
+  return session.rendering() || my.chart.measuring() || my.needs.measuring() || my.timings.measuring();
 }
 
 // --- left ---
@@ -77,7 +76,7 @@ Panel lesson(Session& session, PanelStates& my) {
 void take_sweep(Session& session, PanelStates& my) {
   const Option* swept = std::exchange(my.options.sweep, nullptr);
   if (!swept) return;
-  sweep_option(my.chart, *swept, session.document().picked);
+  my.chart.sweep_option(*swept, session.document().picked);
   make_room_for_study(session);
   show_panel(session, tool_names::chart);
 }
@@ -378,11 +377,10 @@ bool rows_match_names(const std::vector<Panel>& panels) {
 
 PanelStates::PanelStates(const std::function<void()>& wake, bool remember)
     : scenes(wake), lessons(wake), picker(wake), history(wake), pixel(wake), space(wake), microscope(wake),
-      pixels(wake), listing(wake), folder(remember), chart(wake), stability(wake), needs(wake), why(wake),
-      timings(wake), unsafe(wake) {
+      pixels(wake), listing(wake), folder(remember), chart(wake, folder),
+      stability(wake, folder.of("stability"), folder.scenes()), needs(wake), why(wake), timings(wake), unsafe(wake) {
   predict.lesson = std::make_unique<LessonQuestions>(wake, remember, lessons);
   pictures.meter = std::make_unique<DifferenceMeter>(wake);
-  stability.folder = folder.of("stability");
 }
 
 std::vector<Panel> panel_table(Session& session, PanelStates& my, const PanelHost& host) {

@@ -46,7 +46,7 @@ struct Panel {
   std::string_view command;         ///< in menus and the palette
   std::string_view help;            ///< one sentence
   /// Answers whether the panel shall fill the window, or no longer.
-  std::function<bool(const Context&)> draw;
+  std::function<bool(const Context&)> draw = {};
   /// Draws the controls that have room in its title bar, where the panel needs all of the height below; answers
   /// like `draw`.
   std::function<bool()> head = {};

@@ -94,9 +94,9 @@ void pictures(const ChartPreview& preview) {
 
 }  // namespace
 
-void chart_hover(const ChartTabState& state, const ChartPoint& point, ChartPreview& preview, const char* hint) {
-  const auto found = state.found->pictures.find(point.number);
-  prepare(preview, found == state.found->pictures.end() ? nullptr : found->second, state.found->reference);
+void chart_hover(const ChartTab& tab, const ChartPoint& point, ChartPreview& preview, const char* hint) {
+  const auto found = tab.found->pictures.find(point.number);
+  prepare(preview, found == tab.found->pictures.end() ? nullptr : found->second, tab.found->reference);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8), px(8)});
   ImGui::BeginTooltip();
   ImGui::PushFont(theme().font(Face::body));
@@ -105,7 +105,7 @@ void chart_hover(const ChartTabState& state, const ChartPoint& point, ChartPrevi
     const FontScope bold(Face::bold);
     ImGui::TextUnformatted(point.what.name.c_str());
   }
-  numbers(state.chart, point);
+  numbers(tab.chart, point);
   if (preview.of) pictures(preview);
   ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
   ImGui::TextUnformatted(hint);

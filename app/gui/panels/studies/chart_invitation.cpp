@@ -16,10 +16,10 @@ namespace {
 constexpr double axes_margin = 24, inset = 24, mark_size = 6, least_height = 150;
 
 /// Two axes with tips, and where good points will lie.
-Area draw_axes(ImDrawList& list, const ChartTabState& state, const Area& area) {
+Area draw_axes(ImDrawList& list, const ChartTab& tab, const Area& area) {
   Chart chart;
-  chart.metric = state.metric;
-  chart.across = state.across;
+  chart.metric = tab.metric;
+  chart.across = tab.across;
   const ChartAxes axes = chart_axes(chart);
   const bool up = error_metric(chart.metric).higher_is_better;
   const FontScope small(Face::small);
@@ -42,22 +42,22 @@ Area draw_axes(ImDrawList& list, const ChartTabState& state, const Area& area) {
   return inner;
 }
 
-std::string sentence(const ChartTabState& state, std::string_view button) {
-  if (state.study.running()) return "The first point appears when the reference is rendered.";
-  const std::size_t count = state.plan.points.size();
+std::string sentence(const ChartTab& tab, std::string_view button, bool measuring) {
+  if (measuring) return "The first point appears when the reference is rendered.";
+  const std::size_t count = tab.plan.points.size();
   return fmt::format("{} renders {} picture{} and compares {} with the reference: {}.", button, count,
-                     count == 1 ? "" : "s", count == 1 ? "it" : "each", settings_in_words(state.plan.truth));
+                     count == 1 ? "" : "s", count == 1 ? "it" : "each", settings_in_words(tab.plan.truth));
 }
 
 }  // namespace
 
-void chart_invitation(const ChartTabState& state, const Area& area, std::string_view button) {
+void chart_invitation(const ChartTab& tab, const Area& area, std::string_view button, bool measuring) {
   auto& list = *ImGui::GetWindowDrawList();
-  const std::string text = state.plan.error.empty() ? sentence(state, button) : state.plan.error;
+  const std::string text = tab.plan.error.empty() ? sentence(tab, button, measuring) : tab.plan.error;
   controls().record("invitation", text);
   Area inner = area;
   if (area.height() >= px(least_height))
-    inner = draw_axes(list, state, area);
+    inner = draw_axes(list, tab, area);
   else
     list.AddRectFilled(area.min, area.max, colour_u32(palette().field));
   list.PushClipRect(inner.min, inner.max, true);
@@ -68,7 +68,7 @@ void chart_invitation(const ChartTabState& state, const Area& area, std::string_
   at.y += text_height(lines) + px(16);
 
   std::vector<std::string> names;
-  for (const SweepPoint& point : state.plan.points) names.push_back(point.name);
+  for (const SweepPoint& point : tab.plan.points) names.push_back(point.name);
   float column = 0;
   for (const std::string& name : names) column = std::max(column, text_width(name) + px(40));
   // As many columns as fit; the last place says how many are left out.
@@ -86,7 +86,7 @@ void chart_invitation(const ChartTabState& state, const Area& area, std::string_
       draw_lines({place.x + px(20), place.y}, fmt::format("and {} more", names.size() - shown), palette().text_quiet);
       break;
     }
-    draw_planned_mark(list, state.plan.points[i].value, {place.x + px(8), place.y + line / 2}, px(mark_size));
+    draw_planned_mark(list, tab.plan.points[i].value, {place.x + px(8), place.y + line / 2}, px(mark_size));
     draw_lines({place.x + px(20), place.y}, names[i], palette().text);
   }
   list.PopClipRect();

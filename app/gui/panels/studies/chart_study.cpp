@@ -1,7 +1,4 @@
-#include "gui/panels/studies/chart_study.h"
-
-#include <algorithm>
-
+#include "gui/panels/studies/chart_tab.h"
 #include "image/file.h"
 
 namespace ps::gui {
@@ -52,23 +49,12 @@ ChartFound next_state(const Chart& chart, const ChartFound& before, const std::f
 
 }  // namespace
 
-bool ChartFound::complete() const {
-  return std::all_of(chart.points.begin(), chart.points.end(), [](const ChartPoint& p) { return p.measured(); });
-}
-
-void start_estimate(ChartEstimateStudy& study, ChartRequest request) {
-  study.start([request = std::move(request)](StudyControl& control, const ChartEstimateStudy::Publish& publish) {
-    publish(std::make_shared<const StudyEstimate>(estimate_chart(request, control)), {1, 1, 0});
-  });
-}
-
-void start_chart(ChartStudy& study, ChartRequest request) {
-  study.start([request = std::move(request)](StudyControl& control, const ChartStudy::Publish& publish) {
-    std::shared_ptr<const ChartFound> newest = std::make_shared<ChartFound>();
-    run_chart(request, control, [&](const Chart& chart, const StudyStatus& status) {
-      newest = std::make_shared<const ChartFound>(next_state(chart, *newest, request.folder));
-      publish(newest, status);
-    });
+void run_chart_study(const ChartRequest& request, StudyControl& control,
+                     const std::function<void(const StudyStatus&, std::shared_ptr<const ChartFound>)>& report) {
+  auto newest = std::make_shared<const ChartFound>();
+  run_chart(request, control, [&](const Chart& chart, const StudyStatus& status) {
+    newest = std::make_shared<const ChartFound>(next_state(chart, *newest, request.folder));
+    report(status, newest);
   });
 }
 

@@ -1,54 +1,37 @@
 #pragma once
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "gui/base/values.h"
 #include "gui/panels/studies/chart_plot.h"
 #include "gui/panels/studies/chart_setup.h"
-#include "gui/panels/studies/chart_study.h"
 #include "gui/panels/studies/layout_choice.h"
-#include "gui/panels/studies/seen_estimate.h"
+#include "gui/panels/studies/study.h"
 #include "gui/panels/studies/study_folder.h"
 #include "gui/platform/texture.h"
 
 namespace ps::gui {
+
+/// A chart as far as it is measured. The points' pictures are shared among the states of one chart.
+struct ChartFound {
+  Chart chart;                                                 ///< its points without pictures
+  std::map<int, std::shared_ptr<const Image<Rgb8>>> pictures;  ///< by the number of the point
+  std::shared_ptr<const Image<Rgb8>> reference;                ///< what they are compared with
+};
+
+/// Measures a chart, or goes on with it; its results are kept in the request's folder. `report` is called for each new
+/// state. Throws Cancelled and InputError.
+void run_chart_study(const ChartRequest& request, StudyControl& control,
+                     const std::function<void(const StudyStatus&, std::shared_ptr<const ChartFound>)>& report);
 
 /// The small pictures of the point under the mouse.
 struct ChartPreview {
   std::shared_ptr<const Image<Rgb8>> of, against;  ///< what the textures were made from
   Texture picture, difference;
   double gain = 1;  ///< of the difference
-};
-
-/// State of the chart.
-struct ChartTabState {
-  explicit ChartTabState(const std::function<void()>& wake) : study(wake), estimate(wake) {}
-
-  ChartSetup setup;
-  bool begun = false;  ///< the first sweep has been chosen
-  LayoutChoice sweep{&Layout::sweep};
-  ErrorMetric metric = ErrorMetric::rmse;
-  ChartAcross across = ChartAcross::time;
-  ChartPlan plan;
-  bool kept = false;                        ///< results of the plan lie in its folder
-  std::string kept_for;                     ///< key of the plan that `kept` was found for
-  std::string measured;                     ///< key of the plan whose results are shown
-  std::shared_ptr<const ChartFound> found;  ///< what `chart` was made from
-  Chart chart;                              ///< in the metric and along the axis that are chosen
-  std::string conclusion;                   ///< what `chart` shows, in a sentence
-  ChartLabels labels;
-  std::optional<std::size_t> hovered;
-  ChartPreview preview;
-
-  std::vector<std::string> idle_sweeps;  ///< why a named sweep changes nothing here, one for each; empty if it does
-  std::string idle_for;                  ///< key of the plan that they were found for
-  std::string estimated;                 ///< key of the plan and its runs that `estimate` was begun for
-  Seen seen;
-
-  ChartStudy study;
-  ChartEstimateStudy estimate;  ///< of what Measure will take
 };
 
 /// What the chart asks of the window around it.
@@ -58,17 +41,60 @@ struct ChartHost {
   std::function<void(const std::string& text)> copy;              ///< put text on the clipboard
 };
 
-/// Takes up what the study has found; once per frame, also while the tab is not open.
-void update_chart(Session& session, ChartTabState& state);
-/// Time or work against error over a sweep. `filled`: it has the whole window; answers whether that shall change.
-bool chart_tab(Session& session, ChartTabState& state, const StudyFolder& folder, const ChartHost& host, bool filled);
-/// Sweeps one option alone, as its context menu asks.
-void sweep_option(ChartTabState& state, const Option& option, Side side);
-/// Begins, or goes on with, what is planned.
-void measure_chart(Session& session, ChartTabState& state, const StudyFolder& folder);
-/// Writes the chart as the extension asks: .csv, .json or .svg. Throws InputError.
-void export_chart(const ChartTabState& state, const std::filesystem::path& path);
-/// What scripts may ask for. The state must outlive the offers.
-void offer_chart_values(Values& out, const ChartTabState& state);
+/// Time or work against error over a sweep.
+struct ChartTab : EstimatedStudy<ChartFound> {
+  /// `results`: where they are kept from one start to the next; must outlive the tab.
+  ChartTab(const std::function<void()>& wake, const StudyFolder& results);
+
+  ChartHost host;
+  ChartSetup setup;
+  ChartPlan plan;
+  ErrorMetric metric = ErrorMetric::rmse;
+  ChartAcross across = ChartAcross::time;
+  Chart chart;  ///< what was found, in the metric and along the axis that are chosen
+  ChartPreview preview;
+
+  /// Sweeps one option alone, as its context menu asks.
+  void sweep_option(const Option& option, Side side);
+  /// Writes the chart as the extension asks: .csv, .json or .svg. Throws InputError.
+  void write(const std::filesystem::path& path) const;
+
+  void measure(Session& session) override;
+
+ protected:
+  void follow(Session& session) override;
+  void choices(Session& session) override;
+  void more_controls(Session& session) override;
+  void draw_result(Session& session) override;
+  std::string about(const Session& session) const override;
+  std::string measure_word() const override;
+  std::string reason_against(Session&) const override { return plan.error; }
+  void keep_estimate(Session& session) override;
+  std::string expected() const override;
+  void took(Session&) override { show_found(); }
+  void offer_found(Values& out) const override;
+
+ private:
+  void begin();
+  void show_found();
+  bool of_plan() const { return found && measured_ == plan.key; }
+  void sweep_choice();
+  void setup_popup(Session& session);
+  void metric_choice(float width);
+  void across_choice(float width);
+  void export_menu(const Session& session);
+  void load_on_click(Session& session, bool clicked);
+
+  const StudyFolder& results_;
+  bool begun_ = false;  ///< the first sweep has been chosen
+  LayoutChoice sweep_{&Layout::sweep};
+  bool kept_ = false;       ///< results of the plan lie in its folder
+  std::string kept_for_;    ///< key of the plan that `kept_` was found for
+  std::string measured_;    ///< key of the plan whose results are shown
+  std::string conclusion_;  ///< what `chart` shows, in a sentence
+  ChartLabels labels_;
+  std::optional<std::size_t> hovered_;
+  std::vector<std::string> idle_sweeps_;  ///< why a named sweep changes nothing here, one for each; empty if it does
+};
 
 }  // namespace ps::gui

@@ -1,45 +1,35 @@
 #pragma once
-#include <functional>
-#include <memory>
-
-#include "gui/base/values.h"
 #include "gui/panels/studies/needs_view.h"
-#include "gui/panels/studies/seen_estimate.h"
-#include "gui/session/session.h"
-#include "gui/work/background_study.h"
-#include "study/estimate.h"
+#include "gui/panels/studies/study.h"
 #include "study/needs.h"
 
 namespace ps::gui {
 
-using NeedsStudy = BackgroundStudy<Needs>;
-using NeedsEstimateStudy = BackgroundStudy<NeedsEstimate>;
+/// Each feature's share of picture and cost, and the cheapest settings within a tolerance.
+struct NeedsTab : EstimatedStudy<Needs, NeedsEstimate> {
+  explicit NeedsTab(const std::function<void()>& wake);
+  void measure(Session& session) override;
 
-/// State of the advice.
-struct NeedsTabState {
-  explicit NeedsTabState(const std::function<void()>& wake) : study(wake), estimate(wake) {}
+ protected:
+  void choices(Session& session) override;
+  void draw_result(Session& session) override;
+  std::string about(const Session& session) const override;
+  void keep_estimate(Session& session) override;
+  std::string expected() const override;
+  void offer_found(Values& out) const override;
 
-  Side side = Side::a;
-  double tolerance = NeedsRequest{}.tolerance;
-  bool trail_open = true;
-  Side measured_side = Side::a;        ///< whose settings the advice is about
-  Settings base;                       ///< those settings
-  std::string scene_name;              ///< the scene they were measured with
-  std::shared_ptr<const Needs> needs;  ///< as far as it is known
-  NeedsThumbnails thumbnails;
-  std::string estimated;  ///< what `estimate` was begun for
-  Seen seen;
+ private:
+  void invitation() const;
+  void advice(Session& session) const;
+  std::optional<std::string> value(std::string_view name) const;
 
-  NeedsStudy study;
-  NeedsEstimateStudy estimate;  ///< of what the search will take at least
+  Side side_ = Side::a;
+  double tolerance_ = NeedsRequest{}.tolerance;
+  bool trail_open_ = true;
+  Side measured_side_ = Side::a;  ///< whose settings the advice is about
+  Settings base_;                 ///< those settings
+  std::string scene_name_;        ///< the scene they were measured with
+  NeedsThumbnails thumbnails_;
 };
-
-/// Each feature's share of picture and cost, and the cheapest settings within a tolerance. `filled`: it has the whole
-/// window; answers whether that shall change.
-bool needs_tab(Session& session, NeedsTabState& state, bool filled);
-/// Takes up what has been found; once per frame.
-void update_needs(NeedsTabState& state);
-/// What scripts may ask for. The state must outlive the offers.
-void offer_needs_values(Values& out, const NeedsTabState& state);
 
 }  // namespace ps::gui

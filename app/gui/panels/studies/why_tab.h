@@ -1,17 +1,27 @@
 #pragma once
 #include <array>
-#include <functional>
-#include <memory>
-#include <string>
 
-#include "gui/base/values.h"
+#include "gui/panels/studies/study.h"
 #include "gui/platform/texture.h"
-#include "gui/session/session.h"
-#include "gui/work/background_study.h"
 #include "study/difference_by_cause.h"
 #include "study/precision_map.h"
 
 namespace ps::gui {
+
+/// Which option is to blame for how much of the difference between A and B.
+struct CausesTab : Study<DifferenceByCause> {
+  explicit CausesTab(const std::function<void()>& wake);
+  void measure(Session& session) override;
+
+ protected:
+  void draw_result(Session& session) override;
+  std::string about(const Session& session) const override;
+  std::string reason_against(Session& session) const override;
+  void offer_found(Values& out) const override;
+
+ private:
+  std::array<Settings, 2> compared_;  ///< the settings that the causes are about
+};
 
 /// What one side's arithmetic gets wrong, with what it was measured for.
 struct PrecisionFound {
@@ -20,40 +30,35 @@ struct PrecisionFound {
   PrecisionMap map;
   Image<Rgb8> faults, gaps;  ///< pictures of the map
 };
-using CausesStudy = BackgroundStudy<DifferenceByCause>;
-using PrecisionStudy = BackgroundStudy<PrecisionFound>;
 
-/// State of the tab.
-struct WhyTabState {
-  explicit WhyTabState(const std::function<void()>& wake) : causes(wake), precision(wake) {}
+/// What float gets wrong in a picture.
+struct PrecisionTab : Study<PrecisionFound> {
+  explicit PrecisionTab(const std::function<void()>& wake);
+  void measure(Session& session) override;
 
-  enum class Shown { causes, precision } shown = Shown::causes;
-  Side side = Side::a;                                  ///< whose precision is looked at
-  std::array<Settings, 2> compared;                     ///< the settings that the causes are about
-  std::shared_ptr<const DifferenceByCause> difference;  ///< the newest
-  std::shared_ptr<const PrecisionFound> map;            ///< what the textures were made from
-  std::array<Texture, 2> textures;                      ///< faults, gaps
+ protected:
+  void choices(Session& session) override;
+  void draw_result(Session& session) override;
+  std::string about(const Session& session) const override;
+  void took(Session& session) override;
+  void offer_found(Values& out) const override;
 
-  CausesStudy causes;
-  PrecisionStudy precision;
-
-  bool running() const { return causes.running() || precision.running(); }
+ private:
+  Side side_ = Side::a;
+  std::array<Texture, 2> textures_;  ///< faults, gaps
 };
 
-/// Why the pictures differ: which option is to blame for how much, and what float gets wrong. `filled`: it has the
-/// whole window; answers whether that shall change.
-bool why_tab(Session& session, WhyTabState& state, bool filled);
-void update_why(WhyTabState& state);
-/// What it is working at, for the line at the lower edge.
-std::string why_status(const WhyTabState& state);
-/// What scripts may ask for. The state must outlive the offers.
-void offer_why_values(Values& out, const WhyTabState& state);
+/// Both, one of them shown.
+struct WhyTab {
+  explicit WhyTab(const std::function<void()>& wake) : causes(wake), precision(wake) {}
+  /// As StudyFrame::draw.
+  bool draw(Session& session, bool filled);
 
-/// "wrong-winner": how scripts name a fault.
-std::string fault_key(PrecisionFault fault);
+  CausesTab causes;
+  PrecisionTab precision;
 
-// --- the views ---
-void causes_view(const Session& session, const WhyTabState& state);
-void precision_view(Session& session, WhyTabState& state);
+ private:
+  enum class Shown { causes, precision } shown_ = Shown::causes;
+};
 
 }  // namespace ps::gui

@@ -1,4 +1,4 @@
-#include "gui/panels/studies/timings_panel.h"
+#include "gui/panels/studies/timings_tab.h"
 
 #include <fmt/format.h>
 
@@ -14,6 +14,14 @@
 
 namespace ps::gui {
 namespace {
+
+constexpr StudyWords timings_words{.name = "timings",
+                                   .title = "Timings",
+                                   .measure = "Time A and B",
+                                   .again = "Time A and B",
+                                   .help = "Renders A and B in turn, warm, and shows the median and the quartiles.",
+                                   .preparing = "warming up",
+                                   .unit = "runs"};
 
 using Results = std::array<std::shared_ptr<const RenderResult>, 2>;
 
@@ -132,53 +140,8 @@ bool of_these(const FoundTiming& found, const Results& results) {
   return true;
 }
 
-void start(TimingsState& state, const Results& results) {
-  FoundTiming found;
-  PairTimingRequest request;
-  for (std::size_t side = 0; side < 2; ++side) {
-    found.requests[side] = results[side]->request;
-    request.settings[side] = results[side]->request.settings;
-    request.channels[side] = results[side]->channels;
-  }
-  request.scene = results[0]->request.scene;
-  request.view = results[0]->request.view;
-  request.region = results[0]->request.region;
-  request.priority = WorkerPriority::background;
-  state.study.start([request = std::move(request), found = std::move(found)](
-                        StudyControl& control, const BackgroundStudy<FoundTiming>::Publish& publish) mutable {
-    StudyStatus last;
-    found.timing = time_pair(request, {}, control, [&](const StudyStatus& status) {
-      last = status;
-      publish(nullptr, status);
-    });
-    last.done = last.total;
-    publish(std::make_shared<const FoundTiming>(std::move(found)), last);
-  });
-}
-
-/// Why both cannot be timed now; empty if they can.
-std::string reason_against(Session& session, const Results& results) {
-  if (session.picture_b()) return "B is a picture file.";
-  for (const Side side : both_sides)
-    if (!results[index_of(side)] || session.renderer(side).status().state != RenderState::done)
-      return "The pictures are not finished.";
-  return "";
-}
-
-void run_line(Session& session, TimingsState& state, const Results& results) {
-  if (state.study.running()) {
-    if (button("cancel", "Cancel")) state.study.cancel();
-    ImGui::SameLine(0, px(8));
-    ImGui::AlignTextToFramePadding();
-    const StudyStatus status = state.study.status();
-    value_text("state", status.total > 0 ? status_text(status, "runs") : "warming up");
-    return;
-  }
-  if (button("time", "Time A and B", Emphasis::primary,
-             {.tooltip = "Renders A and B in turn, warm, and shows the median and the quartiles.",
-              .disabled = reason_against(session, results)}))
-    start(state, results);
-  if (state.study.state() == StudyState::failed) sentence("state", "Failed: " + state.study.message());
+Results results_of(Session& session) {
+  return {session.renderer(Side::a).result(), session.renderer(Side::b).result()};
 }
 
 /// The code path of each picture, and why it was not a faster one.
@@ -229,18 +192,58 @@ void counters(const Results& results) {
 
 }  // namespace
 
-void timings_panel(Session& session, TimingsState& state) {
-  const NameScope scope("timings");
-  const Results results{session.renderer(Side::a).result(), session.renderer(Side::b).result()};
-  const bool timed = state.found && of_these(*state.found, results);
-  ImGui::BeginChild("timings");
-  run_line(session, state, results);
+TimingsTab::TimingsTab(const std::function<void()>& wake) : Study(wake, timings_words) {}
+
+void TimingsTab::measure(Session& session) {
+  const Results results = results_of(session);
+  FoundTiming timed;
+  PairTimingRequest request;
+  for (std::size_t side = 0; side < 2; ++side) {
+    timed.requests[side] = results[side]->request;
+    request.settings[side] = results[side]->request.settings;
+    request.channels[side] = results[side]->channels;
+  }
+  request.scene = results[0]->request.scene;
+  request.view = results[0]->request.view;
+  request.region = results[0]->request.region;
+  request.priority = WorkerPriority::background;
+  start([request = std::move(request), timed = std::move(timed)](StudyControl& control, const Report& report) {
+    auto result = std::make_shared<FoundTiming>(timed);
+    result->timing = time_pair(request, {}, control, [&](const StudyStatus& status) { report(status, nullptr); });
+    return result;
+  });
+}
+
+std::string TimingsTab::reason_against(Session& session) const {
+  if (session.picture_b()) return "B is a picture file.";
+  const Results results = results_of(session);
+  for (const Side side : both_sides)
+    if (!results[index_of(side)] || session.renderer(side).status().state != RenderState::done)
+      return "The pictures are not finished.";
+  return "";
+}
+
+void TimingsTab::take_up(Session& session) {
+  Study::take_up(session);
+  if (!work.running() || !session.has_scene()) return;
+  for (const Side side : both_sides)
+    if (session.renderer(side).status().state != RenderState::done) return work.cancel();
+}
+
+void TimingsTab::took(Session& session) {
+  if (!found) return;
+  for (std::size_t side = 0; side < 2; ++side)
+    session.timed().add({found->requests[side], found->timing.time_ms[side], found->timing.rounds()});
+}
+
+void TimingsTab::draw_result(Session& session) {
+  const Results results = results_of(session);
   const float column = px(table_width + 20);
   const bool beside = ImGui::GetContentRegionAvail().x >= 2 * column;
   ImGui::BeginGroup();
-  if (timed) {
-    sentence("ratio", ratio_sentence(state.found->timing));
-    median_times(state.found->timing);
+  if (found && of_these(*found, results)) {
+    sentence("ratio", ratio_sentence(found->timing));
+    median_times(found->timing);
   } else {
     single_times(results);
   }
@@ -250,7 +253,24 @@ void timings_panel(Session& session, TimingsState& state) {
   ImGui::BeginGroup();
   counters(results);
   ImGui::EndGroup();
-  ImGui::EndChild();
+}
+
+void TimingsTab::offer_found(Values& out) const {
+  out.offer("timings/rounds", [this] { return found ? found->timing.rounds() : 0; });
+}
+
+std::string ratio_sentence(const PairTiming& timing) {
+  const Quartiles& ratio = timing.ratio;
+  if (!timing.shows_an_order())
+    return fmt::format("{}: B / A is {:.2g} ({:.2g} to {:.2g}; {} rounds).",
+                       timing.equal_settings ? "The options of A and B are equal, and times differ by noise alone"
+                                             : "The times of A and B are equal within noise",
+                       ratio.median, ratio.q1, ratio.q3, timing.rounds());
+  const bool b_longer = ratio.median > 1;
+  const double factor = b_longer ? ratio.median : 1 / ratio.median, low = b_longer ? ratio.q1 : 1 / ratio.q3,
+               high = b_longer ? ratio.q3 : 1 / ratio.q1;
+  return fmt::format("{} takes {:.2g} times as long as {} ({:.2g} to {:.2g}; {} rounds).", b_longer ? 'B' : 'A', factor,
+                     b_longer ? 'A' : 'B', low, high, timing.rounds());
 }
 
 }  // namespace ps::gui

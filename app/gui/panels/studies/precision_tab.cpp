@@ -16,7 +16,21 @@
 namespace ps::gui {
 namespace {
 
+constexpr StudyWords precision_words{.name = "precision",
+                                     .title = "Precision",
+                                     .measure = "Find out",
+                                     .again = "Find again",
+                                     .help = "Renders the picture again in double and compares pixel by pixel.",
+                                     .preparing = "rendering in double"};
+
 constexpr double legend_width = 208, gap_legend_width = 150;  // pixels at scale 1
+
+/// "wrong-winner": how scripts name a fault.
+std::string fault_key(PrecisionFault fault) {
+  std::string key(precision_fault_label(fault));
+  std::replace(key.begin(), key.end(), ' ', '-');
+  return key;
+}
 
 bool faultless(const PrecisionMap& map) { return map.count(PrecisionFault::none) == map.faults.pixels().size(); }
 
@@ -113,35 +127,50 @@ std::string pixel_text(const PrecisionMap& map, Vec2i pixel) {
 
 }  // namespace
 
-void precision_view(Session& session, WhyTabState& state) {
-  if (!state.map) {
-    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-    ImGui::TextWrapped("%s", state.precision.running() ? "Rendering in double."
-                             : state.precision.state() == StudyState::failed
-                                 ? state.precision.message().c_str()
-                                 : "Which pixels differ from a rendering in double: false hits, missed hits, wrong "
-                                   "winners and wrong shading; and how close the depth buffer is to z-fighting.");
-    ImGui::PopStyleColor();
-    return;
+PrecisionTab::PrecisionTab(const std::function<void()>& wake) : Study(wake, precision_words) {}
+
+void PrecisionTab::measure(Session& session) {
+  start([side = side_, name = session.document().scene_name, scene = session.scene(), view = session.view(),
+         settings = session.settings(side_)](StudyControl& control, const Report&) {
+    auto result = std::make_shared<PrecisionFound>();
+    Prepared prepared;
+    result->side = side;
+    result->scene_name = name;
+    result->map = precision_map(scene, view, settings, prepared, control.progress(), WorkerPriority::background);
+    result->faults = fault_picture(result->map);
+    result->gaps = gap_picture(result->map);
+    return result;
+  });
+}
+
+void PrecisionTab::took(Session&) {
+  textures_[0].upload(found->faults);
+  textures_[1].upload(found->gaps);
+  for (Texture& texture : textures_) texture.set_shrunk(true);
+}
+
+void PrecisionTab::choices(Session&) { side_choice(side_, "Picture A.", "Picture B."); }
+
+std::string PrecisionTab::about(const Session&) const {
+  return found ? fmt::format("{}, picture {}", found->scene_name, letter_of(found->side)) : "";
+}
+
+void PrecisionTab::draw_result(Session& session) {
+  if (!found) {
+    if (work.running()) return;
+    return quiet_text(
+        "Which pixels differ from a rendering in double: false hits, missed hits, wrong winners and wrong shading; and "
+        "how close the depth buffer is to z-fighting.");
   }
-  const PrecisionFound& found = *state.map;
-  const std::string about = fmt::format("{}, picture {}", found.scene_name, letter_of(found.side));
   ImGui::BeginGroup();
-  {
-    const FontScope small(Face::small);
-    const ImVec2 at = ImGui::GetCursorScreenPos(), size{px(legend_width), ImGui::GetTextLineHeight()};
-    draw_text(at, {at.x + size.x, at.y + size.y}, about, palette().text, 0);
-    ImGui::Dummy(size);
-    tooltip(about);
-  }
-  for (std::size_t i = 1; i < precision_fault_count; ++i) fault_row(session, found, static_cast<PrecisionFault>(i));
+  for (std::size_t i = 1; i < precision_fault_count; ++i) fault_row(session, *found, static_cast<PrecisionFault>(i));
   ImGui::EndGroup();
   ImGui::SameLine(0, px(14));
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float line = ImGui::GetTextLineHeightWithSpacing();
   // The second map's legend is at its right, or below it where that would make the maps smaller.
   const float gap = px(12), legend = px(gap_legend_width), tall = std::max(room.y - 2 * line, px(60));
-  const float aspect = static_cast<float>(found.map.faults.width()) / static_cast<float>(found.map.faults.height());
+  const float aspect = static_cast<float>(found->map.faults.width()) / static_cast<float>(found->map.faults.height());
   const bool beside = 2 * tall * aspect + 2 * gap + legend <= room.x;
   const float under = room.y - 5 * line;  // in a low panel the legend is scrolled to
   const ImVec2 each =
@@ -149,14 +178,14 @@ void precision_view(Session& session, WhyTabState& state) {
   std::optional<Vec2i> pixel;
   ImGui::BeginGroup();
   map_title("against double", "Pixels that differ from a rendering in double, in the colours at the left.");
-  pixel = pixel_map("faults", state.textures[0], each, session, found.side);
-  if (faultless(found.map)) over_map("no pixel differs from double");
+  pixel = pixel_map("faults", textures_[0], each, session, found->side);
+  if (faultless(found->map)) over_map("no pixel differs from double");
   ImGui::EndGroup();
   ImGui::SameLine(0, gap);
   ImGui::BeginGroup();
   map_title("second surface", "Distance to the second surface, in units in the last place of the stored depth: dark = "
                               "1, light = 2^24, red = below 1, white = no second surface.");
-  if (const auto here = pixel_map("gaps", state.textures[1], each, session, found.side)) pixel = here;
+  if (const auto here = pixel_map("gaps", textures_[1], each, session, found->side)) pixel = here;
   if (!beside) gap_legend(each.x, true);
   ImGui::EndGroup();
   if (beside) {
@@ -166,8 +195,23 @@ void precision_view(Session& session, WhyTabState& state) {
     gap_legend(legend, false);
     ImGui::EndGroup();
   }
-  const std::string text = pixel ? pixel_text(found.map, *pixel) : "";
+  const std::string text = pixel ? pixel_text(found->map, *pixel) : "";
   ImGui::TextUnformatted(text.c_str());
+}
+
+namespace {
+
+std::optional<std::string> fault_value(const PrecisionMap& map, std::string_view key) {
+  for (std::size_t i = 1; i < precision_fault_count; ++i)
+    if (fault_key(static_cast<PrecisionFault>(i)) == key) return script_text(map.counts[i]);
+  return {};
+}
+
+}  // namespace
+
+void PrecisionTab::offer_found(Values& out) const {
+  out.offer_below("why/faults/",
+                  [this](std::string_view key) { return found ? fault_value(found->map, key) : std::nullopt; });
 }
 
 }  // namespace ps::gui

@@ -1,0 +1,267 @@
+#include "gui/panels/studies/stability_tab.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.h"
+#include "gui/panels/studies/bar_plot.h"
+#include "gui/widgets/draw.h"
+#include "gui/widgets/shorten.h"
+#include "gui/widgets/widgets.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr double list_width = 290, wide_list = 350, room_for_wide_list = 1100, narrow = 640,
+                 little_height = 330;  // pixels at scale 1
+constexpr double least_plot = 230;     // below it, the rest is scrolled to
+constexpr float curves_share = 0.42f;  // of the height, above a film strip
+
+/// "worst: 6.1 %, robust 0": the worst of the naive method in the figure shown first, with the robust one at its place.
+std::string worst_text(const StabilityExperiment& experiment, const std::vector<StabilityRow>& rows) {
+  const auto figures = experiment_figures(experiment, rows);
+  if (figures.empty()) return "";
+  const auto worst = worst_row(figures.front());
+  if (!worst) return "";
+  const std::string naive = result_text(worst->naive, worst->naive);
+  const std::string unit(figures.front().quantity->unit);
+  if (std::isnan(worst->robust)) return fmt::format("worst: {} {}", naive, unit);
+  const double scale = std::max(std::abs(worst->naive), std::abs(worst->robust));
+  return fmt::format("worst: {} {}, robust {}", naive, unit, result_text(worst->robust, scale));
+}
+
+void explanation(const StabilityExperiment& experiment, std::span<const StabilityRow> rows) {
+  {
+    const FontScope bold(Face::bold);
+    ImGui::TextWrapped("%s", std::string(experiment.title).c_str());
+  }
+  ImGui::TextWrapped("%s", std::string(experiment.explanation).c_str());
+  if (const std::string first = first_figure_text(experiment, rows); !first.empty()) {
+    ImGui::TextWrapped("%s", first.c_str());
+    controls().record("first", first);
+  }
+  const FontScope small(Face::small);
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  ImGui::TextWrapped("Safe: %s Set-up: %s.", std::string(experiment.safe).c_str(),
+                     std::string(set_up_text(experiment.set_up)).c_str());
+  ImGui::PopStyleColor();
+  controls().record("explanation", std::string(experiment.explanation));
+  controls().record("set-up", std::string(set_up_text(experiment.set_up)));
+}
+
+void point_tooltip(const Curves& curves, const ExperimentFigure::Row& row, bool has_picture) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8), px(8)});
+  ImGui::BeginTooltip();
+  ImGui::TextUnformatted(fmt::format("{}: {}", curves.knob, short_number(row.knob)).c_str());
+  for (const auto& [name, value] : {std::pair{"naive", row.naive}, std::pair{"robust", row.robust}})
+    if (!std::isnan(value))
+      ImGui::TextUnformatted(fmt::format("{}: {} {}", name, short_number(value), curves.figure.quantity->unit).c_str());
+  if (!curves.safe.empty())
+    ImGui::TextUnformatted(curves.safe.holds(row.knob) ? "inside the safe window" : "outside the safe window");
+  if (has_picture) ImGui::TextUnformatted("Click: opens it in A (naive) and B (robust).");
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
+}
+
+/// Pictures belong to the knob of the first figure.
+bool of_the_pictures(const StabilityExperiment& experiment, const ExperimentFigure& figure) {
+  return experiment.picture &&
+         knob_title(experiment, *figure.quantity) == knob_title(experiment, experiment.series.front());
+}
+
+}  // namespace
+
+/// What came out, or why there is no result yet.
+std::string StabilityTab::note_of(const StabilityExperiment& experiment) {
+  const std::string key(experiment.key);
+  if (work.running() && found && found->now == key) return "measuring";
+  if (complete(key)) {
+    const auto [kept, is_new] = worst_.try_emplace(key);
+    if (is_new) kept->second = worst_text(experiment, result_of(key)->rows);
+    return kept->second;
+  }
+  const std::string absent = why_absent(key);
+  return absent.empty() ? "not measured yet" : absent;
+}
+
+/// One experiment of the list: its title, and below it what came out.
+void StabilityTab::list_row(const StabilityExperiment& experiment) {
+  const float small_line = theme().font(Face::small)->FontSize;
+  const float width = ImGui::GetContentRegionAvail().x, title = ImGui::GetTextLineHeight() + px(5);
+  const float height = title + small_line + px(5);
+  const bool clicked = hit_area(experiment.key, {width, height}, {});
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  auto& list = *ImGui::GetWindowDrawList();
+  const bool shown = &selected() == &experiment;
+  if (shown || ImGui::IsItemHovered())
+    list.AddRectFilled(min, max, colour_u32(shown ? palette().selection : palette().field_hover), px(3));
+  if (shown) list.AddRectFilled(min, {min.x + px(3), max.y}, colour_u32(palette().text));
+  const std::string note = note_of(experiment);
+  draw_text({min.x + px(8), min.y}, {max.x - px(4), min.y + title}, whole_words(experiment.title, width - px(12)),
+            palette().text, 0);
+  {
+    const FontScope small(Face::small);
+    draw_text({min.x + px(8), min.y + title}, {max.x - px(4), max.y - px(4)}, whole_words(note, width - px(12)),
+              palette().text_quiet, 0);
+  }
+  if (text_width(experiment.title) > width - px(12)) tooltip(experiment.title);
+  controls().record(experiment.key, note);
+  if (clicked) select(experiment);
+}
+
+void StabilityTab::choices(Session&) {
+  if (ImGui::GetContentRegionAvail().x < px(narrow)) experiment_choice();
+}
+
+void StabilityTab::experiment_choice() {
+  std::vector<Choice> choices;
+  int index = 0;
+  for (const StabilityExperiment& experiment : stability_experiments()) {
+    if (&experiment == &selected()) index = static_cast<int>(choices.size());
+    choices.push_back({experiment.key, experiment.title, ""});
+  }
+  if (choice("experiment", choices, index, {.width = std::min(px(240), ImGui::GetContentRegionAvail().x)}))
+    select(stability_experiments()[static_cast<std::size_t>(index)]);
+}
+
+/// The figure that is chosen, or the first one.
+std::size_t StabilityTab::shown_figure(const Figures& figures) const {
+  const auto chosen =
+      std::find_if(figures.begin(), figures.end(), [&](const auto& figure) { return figure.name == series_; });
+  return chosen == figures.end() ? 0 : static_cast<std::size_t>(chosen - figures.begin());
+}
+
+void StabilityTab::figure_choice(const Figures& figures) {
+  if (figures.size() < 2) return;
+  int index = static_cast<int>(shown_figure(figures));
+  std::vector<Choice> choices;
+  float widest = 0;
+  for (const ExperimentFigure& figure : figures) {
+    choices.push_back({figure.name, figure.name, figure.quantity->title});
+    widest = std::max(widest, ImGui::CalcTextSize(figure.name.c_str()).x);
+  }
+  const float room = ImGui::GetFrameHeight() + px(16);  // for the arrow and the frame
+  if (choice("series", choices, index, {.width = std::min(widest + room, ImGui::GetContentRegionAvail().x)}))
+    series_ = figures[static_cast<std::size_t>(index)].name;
+}
+
+/// What is in place of a figure that is not there yet.
+const char* StabilityTab::no_figure_text(const StabilityExperiment& experiment) const {
+  const bool alone = asked_.size() == 1 && asked_.front() == experiment.key;
+  const bool now = alone || (found && found->now == experiment.key);
+  return !work.running() ? "Not measured yet: press Measure."
+         : now           ? "Measuring."
+                         : "Not measured yet: others are being measured.";
+}
+
+/// Answers where the plot lies, if it is one over the knob of the pictures.
+std::optional<PlotFrame> StabilityTab::curve_area(const StabilityExperiment& experiment, const ExperimentFigure& figure,
+                                                  const Area& area, ImVec2 mouse, bool clicked) {
+  const bool has_picture = of_the_pictures(experiment, figure);
+  Curves curves{
+      figure,
+      std::string(knob_title(experiment, *figure.quantity)),
+      {std::string(naive_name(experiment, *figure.quantity)), std::string(robust_name(experiment, *figure.quantity))},
+      figure.quantity->knob.empty() ? experiment.window : SafeWindow{1, 0}};
+  std::optional<std::size_t> marked;  // the row of the frame that A and B show
+  if (has_picture && strip_.chosen && strip_.chosen_of == experiment.key)
+    for (std::size_t i = 0; i < figure.rows.size(); ++i)
+      if (figure.rows[i].knob == *strip_.chosen) marked = i;
+  const CurvesDrawn drawn = draw_curves(*ImGui::GetWindowDrawList(), area, curves, mouse, marked);
+  if (!drawn.cut.empty()) tooltip(drawn.cut);
+  if (drawn.hovered) {
+    const ExperimentFigure::Row& row = figure.rows[*drawn.hovered];
+    point_tooltip(curves, row, has_picture);
+    if (clicked && has_picture) begin_opening(opening_, experiment, row.knob);
+  }
+  if (!has_picture) return {};
+  return drawn.frame;
+}
+
+/// Draws the figure that is chosen; bars take the height that they need. Answers as curve_area().
+std::optional<PlotFrame> StabilityTab::figure_area(const StabilityExperiment& experiment, const Figures& figures,
+                                                   float height) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  if (width < px(80)) return {};
+  const ExperimentFigure* figure = figures.empty() ? nullptr : &figures[shown_figure(figures)];
+  const bool bars = figure && figure->form == FigureForm::bars;
+  MethodNames names;
+  if (bars) {
+    names = {std::string(naive_name(experiment, *figure->quantity)),
+             std::string(robust_name(experiment, *figure->quantity))};
+    height = bars_height(*figure, names, width);
+  }
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const Area area{at, {at.x + width, at.y + height}};
+  const bool clicked = ImGui::InvisibleButton("plot", {width, height});
+  controls().record("plot", fmt::format("{:.0f}x{:.0f}", width, height));
+  const ImVec2 mouse = ImGui::IsItemHovered() ? ImGui::GetIO().MousePos : ImVec2{-1e6f, -1e6f};
+  if (!figure) {
+    ImGui::GetWindowDrawList()->AddRectFilled(area.min, area.max, colour_u32(palette().field));
+    draw_text(area.min, area.max, whole_words(no_figure_text(experiment), width), palette().text_quiet, 0.5f);
+    return {};
+  }
+  if (!bars) return curve_area(experiment, *figure, area, mouse, clicked);
+  const std::string cut = draw_bars(*ImGui::GetWindowDrawList(), area, *figure, names, mouse);
+  if (!cut.empty()) tooltip(cut);
+  return {};
+}
+
+/// Where there is little height the curves come first and the words follow below, to be scrolled to.
+void StabilityTab::shown_experiment() {
+  const StabilityExperiment& experiment = selected();
+  const MeasuredExperiment* result = result_of(experiment.key);
+  const std::span<const StabilityRow> rows = result ? std::span(result->rows) : std::span<const StabilityRow>{};
+  const auto figures = experiment_figures(experiment, rows);
+  const bool low = ImGui::GetContentRegionAvail().y < px(little_height);
+  if (!low) explanation(experiment, rows);
+  if (const std::string reason = why_absent(experiment.key); !reason.empty()) {
+    quiet_text(fmt::format("Not measured: {}.", reason));
+    controls().record("absent", reason);
+    return;
+  }
+  figure_choice(figures);
+  if (figures.size() > 1 && experiment.picture) same_line_if_room(px(film_slider_width), px(16));
+  if (const auto knob = film_strip_slider(strip_, experiment)) begin_opening(opening_, experiment, *knob);
+  const bool strip = experiment.picture && !experiment.frames.empty();
+  const float room = ImGui::GetContentRegionAvail().y;
+  const float height = std::max(strip && !low ? room * curves_share : room, px(least_plot));
+  const auto frame = figure_area(experiment, figures, height);
+  if (low) explanation(experiment, rows);
+  if (const auto knob = film_strip_view(strip_, experiment, frame && !low ? &*frame : nullptr))
+    begin_opening(opening_, experiment, *knob);
+}
+
+void StabilityTab::list() {
+  const bool much = ImGui::GetContentRegionAvail().x >= px(room_for_wide_list);
+  ImGui::BeginChild("list", {px(much ? wide_list : list_width), 0});
+  search_box("search", search_, "Find an experiment");
+  ImGui::BeginChild("rows");
+  bool any = false;
+  for (const StabilityExperiment& experiment : stability_experiments()) {
+    if (!experiment_matches(experiment, search_)) continue;
+    any = true;
+    list_row(experiment);
+  }
+  if (!any) {
+    quiet_text("No experiment matches.");
+    controls().record("nothing-found", "No experiment matches.");
+  }
+  ImGui::EndChild();
+  ImGui::EndChild();
+}
+
+void StabilityTab::draw_result(Session&) {
+  if (ImGui::GetContentRegionAvail().x >= px(narrow)) {
+    list();
+    ImGui::SameLine(0, px(14));
+  }
+  ImGui::BeginChild("experiment");
+  shown_experiment();
+  ImGui::EndChild();
+}
+
+}  // namespace ps::gui

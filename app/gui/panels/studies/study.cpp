@@ -1,0 +1,198 @@
+#include "gui/panels/studies/study.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+
+#include "gui/widgets/draw.h"
+#include "gui/widgets/widgets.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr double between_controls = 8, enough_height = 320;  // pixels at scale 1
+
+/// As many whole sentences from the beginning as fit into one line.
+std::string sentences_that_fit(const std::string& text, float width) {
+  std::string fitting = text;
+  while (text_width(fitting) > width) {
+    const auto end = fitting.rfind(". ");
+    if (end == std::string::npos) break;
+    fitting.resize(end + 1);
+  }
+  return fitting;
+}
+
+/// Without the time that is left.
+std::string count_of(const StudyStatus& status, std::string_view unit) {
+  return status_text({status.done, status.total, -1}, unit);
+}
+
+/// "rendering the reference, 12 %", or how much is done.
+std::string progress_text(const BackgroundWork& work, const StudyWords& words) {
+  const std::string counted = status_text(work.status(), words.unit);
+  if (!counted.empty()) return counted;
+  return fmt::format("{}, {:.0f} %", words.preparing, 100 * work.fraction_of_render());
+}
+
+std::string with_capital(std::string text) {
+  if (!text.empty()) text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text;
+}
+
+/// Share of all that is done; of the first picture before its units can be counted.
+double fraction_of(const BackgroundWork& work) {
+  const StudyStatus status = work.status();
+  if (status.total > 0) return static_cast<double>(status.done) / status.total;
+  return status.done > 0 ? 0 : work.fraction_of_render();
+}
+
+float pause_width() { return std::max(button_width("Go on"), button_width("Pause")); }
+
+/// The buttons `pause` and `cancel` of a study that runs.
+void pause_and_stop(BackgroundWork& work, const StudyWords& words) {
+  if (!words.unit.empty()) {
+    const bool paused = work.state() == StudyState::paused;
+    if (button("pause", paused ? "Go on" : "Pause", Emphasis::plain, {.width = pause_width()}))
+      work.set_paused(!paused);
+    ImGui::SameLine(0, px(3));
+  }
+  const std::string help = words.kept.empty() ? "" : with_capital(std::string(words.kept)) + ".";
+  if (button("cancel", "Stop", Emphasis::plain, {.tooltip = help, .width = 0})) work.cancel();
+}
+
+float pause_and_stop_width(const StudyWords& words) {
+  return (words.unit.empty() ? 0 : pause_width() + px(3)) + button_width("Stop");
+}
+
+}  // namespace
+
+std::string status_text(const StudyStatus& status, std::string_view unit) {
+  if (status.total == 0) return status.done > 0 ? fmt::format("{} {}", status.done, unit) : "";
+  std::string text = fmt::format("{} of {} {}", status.done, status.total, unit);
+  if (status.seconds_left < 0 || status.done >= status.total) return text;
+  const double left = status.seconds_left;
+  if (left < 90) return text + fmt::format(", {:.0f} s left", std::ceil(left));
+  return text + fmt::format(", {:.0f} min left", std::ceil(left / 60));
+}
+
+void side_choice(Side& side, std::string_view help_a, std::string_view help_b) {
+  const std::array sides{Choice{"a", "A", help_a}, Choice{"b", "B", help_b}};
+  int index = static_cast<int>(index_of(side));
+  if (choice("side", sides, index, {.width = px(80)})) side = both_sides[static_cast<std::size_t>(index)];
+}
+
+bool StudyFrame::busy() const { return measuring() || (estimate_ && estimate_->running()); }
+
+std::string StudyFrame::activity() const {
+  return measuring() ? fmt::format("{}: {}", words_.title, progress_text(work_, words_)) : "";
+}
+
+void StudyFrame::offer(Values& out) const {
+  const std::string name(words_.name);
+  out.offer(name + "/running", [this] { return work_.running(); });
+  out.offer(name + "/paused", [this] { return work_.state() == StudyState::paused; });
+  if (estimate_) out.offer(name + "/estimating", [this] { return estimate_->running(); });
+  offer_found(out);
+}
+
+void StudyFrame::update(Session& session) {
+  work_.set_held(session.rendering());
+  if (estimate_) estimate_->set_held(session.rendering());
+  if (!seen_.lately()) drop_estimate();
+  take_up(session);
+}
+
+bool StudyFrame::estimate_lacks(const std::string& key) {
+  if (estimated_ == key || work_.running()) return false;
+  estimated_ = key;
+  return true;
+}
+
+const char* StudyFrame::unknown_time() const {
+  return estimate_ && estimate_->state() == StudyState::failed ? "time unknown" : "time not known yet";
+}
+
+void StudyFrame::drop_estimate() {
+  if (!estimate_ || !estimate_->running()) return;
+  estimate_->cancel();
+  estimated_.clear();
+}
+
+void StudyFrame::run_buttons(Session& session, const std::string& word, const std::string& label) {
+  if (work_.running()) return pause_and_stop(work_, words_);
+  const bool fits = button_width(label) <= ImGui::GetContentRegionAvail().x;
+  if (button("measure", fits ? label : word, Emphasis::primary,
+             {.tooltip = words_.help, .disabled = reason_against(session)}))
+    measure(session);
+}
+
+bool StudyFrame::toolbar(Session& session, bool filled) {
+  const ImVec2 start = ImGui::GetCursorPos();
+  choices(session);
+  keep_estimate(session);
+  const std::string word = measure_word(), known = expected();
+  const std::string label = known.empty() ? word : fmt::format("{} ({})", word, known);
+  if (ImGui::GetCursorPosY() > start.y)
+    same_line_if_room(work_.running() ? pause_and_stop_width(words_) : button_width(label), px(between_controls));
+  run_buttons(session, word, label);
+  more_controls(session);
+  same_line_if_room(button_width("Fill"), px(between_controls));
+  return button_on_off("fill", "Fill", filled, {.tooltip = "Shows this panel in the whole window (Esc)."});
+}
+
+std::string StudyFrame::state_line(const Session& session) const {
+  const std::string counted = count_of(work_.status(), words_.unit);
+  switch (work_.state()) {
+  case StudyState::running:
+    return with_capital(progress_text(work_, words_));
+  case StudyState::paused:
+    return counted.empty() ? "Paused." : fmt::format("Paused after {}.", counted);
+  case StudyState::failed:
+    return "Failed: " + work_.message();
+  case StudyState::cancelled:
+    if (!says_stopped()) break;
+    if (counted.empty()) return "Stopped.";
+    return fmt::format("Stopped after {}{}{}.", counted, words_.kept.empty() ? "" : "; ", words_.kept);
+  case StudyState::done:
+  case StudyState::none:
+    break;
+  }
+  return about(session);
+}
+
+/// Wrapped where the result has height to spare, else one line; with a bar under it while it runs.
+void StudyFrame::status_line(const Session& session) const {
+  const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+  const std::string text = state_line(session);
+  {
+    const FontScope small(Face::small);
+    const std::string shown = room.y >= px(enough_height) && !work_.running() ? text : sentences_that_fit(text, room.x);
+    quiet_text(shown);
+    if (shown != text) tooltip(text);
+  }
+  controls().record("status", text);
+  if (!work_.running()) return;
+  auto& list = *ImGui::GetWindowDrawList();
+  const float y = ImGui::GetItemRectMax().y, end = at.x + room.x * static_cast<float>(fraction_of(work_));
+  list.AddRectFilled({at.x, y}, {at.x + room.x, y + px(2)}, colour_u32(palette().line));
+  list.AddRectFilled({at.x, y}, {end, y + px(2)}, colour_u32(palette().text_quiet));
+}
+
+bool StudyFrame::draw(Session& session, bool filled) {
+  if (!has_subject(session)) return false;
+  seen_.now();
+  follow(session);
+  const bool fill = toolbar(session, filled);
+  status_line(session);
+  ImGui::BeginChild("result");
+  draw_result(session);
+  ImGui::EndChild();
+  return fill;
+}
+
+}  // namespace ps::gui
