@@ -7,12 +7,82 @@
 namespace ps {
 namespace {
 
-std::string attributes(const SvgStyle& style) {
-  std::string text = style.fill.empty() ? " fill=\"none\"" : fmt::format(" fill=\"{}\"", style.fill);
-  if (!style.stroke.empty()) text += fmt::format(" stroke=\"{}\" stroke-width=\"{:.4g}\"", style.stroke, style.width);
-  if (!style.dash.empty()) text += fmt::format(" stroke-dasharray=\"{}\"", style.dash);
-  if (style.opacity < 1) text += fmt::format(" opacity=\"{:.3g}\"", style.opacity);
+std::string hex(const Tint& tint) {
+  const Rgb8 shade = tint.role == Role::own ? tint.own : paper_shade(tint.role);
+  return fmt::format("#{:02x}{:02x}{:02x}", shade.r, shade.g, shade.b);
+}
+
+/// " fill="#202020" fill-opacity="0.5"", or of another property.
+std::string colour_attribute(std::string_view property, const Tint& tint) {
+  std::string text = fmt::format(" {}=\"{}\"", property, hex(tint));
+  if (tint.opacity < 1) text += fmt::format(" {}-opacity=\"{:.3g}\"", property, tint.opacity);
   return text;
+}
+
+std::string stroke_attributes(const Stroke& stroke) {
+  std::string text = colour_attribute("stroke", stroke.tint) + fmt::format(" stroke-width=\"{:.4g}\"", stroke.width);
+  if (stroke.dash != solid) text += fmt::format(" stroke-dasharray=\"{:.4g} {:.4g}\"", stroke.dash.on, stroke.dash.off);
+  return text;
+}
+
+std::string attributes(const ShapeLook& look) {
+  return (look.fill ? colour_attribute("fill", *look.fill) : " fill=\"none\"") +
+         (look.stroke ? stroke_attributes(*look.stroke) : "");
+}
+
+std::string points_attribute(std::span<const Vec2d> points) {
+  std::string text = " points=\"";
+  for (const Vec2d& point : points) text += fmt::format("{:.2f},{:.2f} ", point.x, point.y);
+  return text + "\"";
+}
+
+/// Attributes of a rectangle.
+std::string place_attributes(const PaintArea& area) {
+  return fmt::format(" x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\"", area.low.x, area.low.y,
+                     area.width(), area.height());
+}
+
+struct SvgFace {
+  double em;
+  std::string_view attributes;
+};
+
+SvgFace face_of(Lettering lettering) {
+  constexpr double label = 13, body = 17, heading = 22, script = 0.7 * body;
+  constexpr std::string_view plain, bold = " font-weight=\"600\"", italic = " font-style=\"italic\"";
+  switch (lettering) {
+  case Lettering::label:
+    return {label, plain};
+  case Lettering::strong_label:
+    return {label, bold};
+  case Lettering::body:
+    return {body, plain};
+  case Lettering::strong:
+    return {body, bold};
+  case Lettering::italic:
+    return {body, italic};
+  case Lettering::heading:
+    return {heading, bold};
+  case Lettering::script:
+    return {script, plain};
+  case Lettering::script_strong:
+    return {script, bold};
+  case Lettering::script_italic:
+    return {script, italic};
+  }
+  return {};
+}
+
+std::string_view anchor_name(TextAnchor anchor) {
+  switch (anchor) {
+  case TextAnchor::start:
+    return "start";
+  case TextAnchor::middle:
+    return "middle";
+  case TextAnchor::end:
+    return "end";
+  }
+  return {};
 }
 
 }  // namespace
@@ -54,7 +124,45 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-SvgDrawing::SvgDrawing(double width, double height, std::string_view title) {
+double em_of(Lettering lettering) { return face_of(lettering).em; }
+
+Rgb8 paper_shade(Role role) {
+  switch (role) {
+  case Role::ink:
+    return {0x1a, 0x1a, 0x19};
+  case Role::quiet:
+    return {0x3a, 0x3b, 0x39};
+  case Role::border:
+    return {0x7c, 0x7d, 0x79};
+  case Role::faint:
+    return {0xd6, 0xd6, 0xd2};
+  case Role::paper:
+  case Role::bright:
+    return {0xff, 0xff, 0xff};
+  case Role::a:
+    return {0x00, 0x72, 0xb2};
+  case Role::b:
+    return {0xd5, 0x5e, 0x00};
+  case Role::right:
+    return {0x00, 0x77, 0x5a};
+  case Role::wrong:
+    return {0xa0, 0x4a, 0x80};
+  case Role::attention:
+    return {0xf0, 0xe4, 0x42};
+  case Role::light:
+    return {0xe6, 0x9f, 0x00};
+  case Role::mirror:
+    return {0x56, 0xb4, 0xe9};
+  case Role::dark:
+    return {0x18, 0x18, 0x18};
+  case Role::own:
+    break;
+  }
+  PS_ASSERT(role != Role::own, "Role::own has no shade");
+  return {};
+}
+
+SvgPainter::SvgPainter(double width, double height, std::string_view title) : Painter(1) {
   body_ = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
                       "width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
                       "font-family=\"Inter, Helvetica, Arial, sans-serif\">\n<title>{2}</title>\n"
@@ -62,43 +170,72 @@ SvgDrawing::SvgDrawing(double width, double height, std::string_view title) {
                       width, height, xml_escaped(title));
 }
 
-void SvgDrawing::line(const Vec2d& from, const Vec2d& to, const SvgStyle& style) {
-  body_ += fmt::format("<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\"{}/>\n", from.x, from.y, to.x,
-                       to.y, attributes(style));
+void SvgPainter::polyline(std::span<const Vec2d> points, const Stroke& stroke) {
+  if (points.size() == 2)
+    body_ += fmt::format("<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\"{}/>\n", points[0].x,
+                         points[0].y, points[1].x, points[1].y, stroke_attributes(stroke));
+  else
+    body_ += fmt::format("<polyline{} fill=\"none\"{}/>\n", points_attribute(points), stroke_attributes(stroke));
 }
 
-void SvgDrawing::polygon(const std::vector<Vec2d>& corners, const SvgStyle& style) {
-  body_ += "<polygon points=\"";
-  for (const Vec2d& corner : corners) body_ += fmt::format("{:.2f},{:.2f} ", corner.x, corner.y);
-  body_ += fmt::format("\"{}/>\n", attributes(style));
+void SvgPainter::polygon(std::span<const Vec2d> corners, const ShapeLook& look) {
+  body_ += fmt::format("<polygon{}{}/>\n", points_attribute(corners), attributes(look));
 }
 
-void SvgDrawing::circle(const Vec2d& middle, double radius, const SvgStyle& style) {
+void SvgPainter::rectangle(const PaintArea& area, const ShapeLook& look, double rounding) {
+  body_ += fmt::format("<rect{}{}{}/>\n", place_attributes(area),
+                       rounding > 0 ? fmt::format(" rx=\"{:.4g}\"", rounding) : "", attributes(look));
+}
+
+void SvgPainter::circle(const Vec2d& middle, double radius, const ShapeLook& look) {
   body_ += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\"{}/>\n", middle.x, middle.y, radius,
-                       attributes(style));
+                       attributes(look));
 }
 
-void SvgDrawing::text(const Vec2d& at, std::string_view words, double size, SvgAnchor anchor, bool bold) {
-  const std::string_view name = anchor == SvgAnchor::start ? "start" : anchor == SvgAnchor::middle ? "middle" : "end";
-  body_ += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.4g}\" text-anchor=\"{}\"{} fill=\"#202020\">{}"
-                       "</text>\n",
-                       at.x, at.y, size, name, bold ? " font-weight=\"bold\"" : "", xml_escaped(words));
-}
-
-void SvgDrawing::picture(const Vec2d& low, const Vec2d& high, const Image<Rgb8>& levels) {
-  body_ += fmt::format("<image x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" "
-                       "preserveAspectRatio=\"none\" style=\"image-rendering:pixelated\" "
+void SvgPainter::picture(const PaintArea& area, const Image<Rgb8>& levels) {
+  body_ += fmt::format("<image{} preserveAspectRatio=\"none\" style=\"image-rendering:pixelated\" "
                        "xlink:href=\"data:image/png;base64,{}\"/>\n",
-                       low.x, low.y, high.x - low.x, high.y - low.y, base64(stb_encode_png(levels)));
+                       place_attributes(area), base64(stb_encode_png(levels)));
 }
 
-void SvgDrawing::begin_clip(const Vec2d& low, const Vec2d& high) {
+void SvgPainter::begin_clip(const PaintArea& area) {
   const int id = clips_++;
-  body_ += fmt::format("<clipPath id=\"clip{}\"><rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\"/>"
-                       "</clipPath>\n<g clip-path=\"url(#clip{})\">\n",
-                       id, low.x, low.y, high.x - low.x, high.y - low.y, id);
+  body_ += fmt::format("<clipPath id=\"clip{0}\"><rect{1}/></clipPath>\n<g clip-path=\"url(#clip{0})\">\n", id,
+                       place_attributes(area));
 }
 
-void SvgDrawing::end_clip() { body_ += "</g>\n"; }
+void SvgPainter::end_clip() { body_ += "</g>\n"; }
+
+void SvgPainter::begin_named(const std::function<std::string()>& words) {
+  body_ += fmt::format("<g><title>{}</title>\n", xml_escaped(words()));
+}
+
+void SvgPainter::end_named() { body_ += "</g>\n"; }
+
+TextExtent SvgPainter::extent(std::string_view text, Lettering lettering) const {
+  double ems = 0;
+  for (const char c : text) {
+    if ((static_cast<unsigned char>(c) & 0xC0u) == 0x80u) continue;  // a further byte of a letter
+    const bool narrow = std::string_view("ijlt.,:;'|!()[]f1 -").find(c) != std::string_view::npos;
+    const bool wide = std::string_view("mwMW%@").find(c) != std::string_view::npos;
+    ems += narrow ? 0.35 : wide ? 0.88 : c >= 'A' && c <= 'Z' ? 0.7 : 0.6;
+  }
+  constexpr double ascent = 0.97, descent = 0.24;  // of Inter, in ems
+  const double em = em_of(lettering);
+  return {ems * em, ascent * em, descent * em};
+}
+
+void SvgPainter::write(const Vec2d& at, std::string_view words, const TextLook& look) {
+  const SvgFace face = face_of(look.lettering);
+  const auto put = [&](const std::string& colours) {
+    body_ += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.4g}\" text-anchor=\"{}\"{}{}>{}</text>\n",
+                         at.x, at.y, face.em, anchor_name(look.anchor), face.attributes, colours, xml_escaped(words));
+  };
+  // The rim is a text of its own: not every program that shows SVG knows paint-order, and without it the rim would
+  // cover the letters.
+  if (look.ground == TextGround::rim)
+    put(attributes({.fill = look.ground_tint, .stroke = Stroke{.tint = look.ground_tint, .width = 3}}));
+  put(colour_attribute("fill", look.tint));
+}
 
 }  // namespace ps

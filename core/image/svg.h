@@ -1,44 +1,38 @@
 #pragma once
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "image/image.h"
-#include "math/vec.h"
+#include "image/painter.h"
 
 namespace ps {
 
-/// How a line or an area looks in a drawing. Colours are "#rrggbb"; an empty one is left out.
-struct SvgStyle {
-  std::string_view stroke = "#202020";
-  double width = 1;            ///< of lines, in user units
-  std::string_view dash = {};  ///< "5 4"
-  std::string_view fill = {};  ///< of areas
-  double opacity = 1;
-};
+/// The shade of a role on paper, for all roles but Role::own: that of a light window, on white.
+Rgb8 paper_shade(Role role);
+/// Height of an em in pixels at scale 1.
+double em_of(Lettering lettering);
 
-enum class SvgAnchor { start, middle, end };
-
-/// A drawing in Scalable Vector Graphics 1.1 that needs no other file: white paper, pictures inside it. Coordinates are
-/// user units (pixels) from the top left, y down; text is escaped.
-class SvgDrawing {
+/// A drawing in Scalable Vector Graphics 1.1 that needs no other file: white paper, pictures inside it. Text is
+/// escaped.
+class SvgPainter final : public Painter {
  public:
-  SvgDrawing(double width, double height, std::string_view title);
+  SvgPainter(double width, double height, std::string_view title);
 
-  void line(const Vec2d& from, const Vec2d& to, const SvgStyle& style);
-  void polygon(const std::vector<Vec2d>& corners, const SvgStyle& style);
-  void circle(const Vec2d& middle, double radius, const SvgStyle& style);
-  void text(const Vec2d& at, std::string_view words, double size = 12, SvgAnchor anchor = SvgAnchor::start,
-            bool bold = false);
-  /// A picture stretched over a rectangle, its pixels as hard squares.
-  void picture(const Vec2d& low, const Vec2d& high, const Image<Rgb8>& levels);
-  /// Cuts all that follows, until end_group(), to a rectangle.
-  void begin_clip(const Vec2d& low, const Vec2d& high);
-  void end_clip();
+  using Painter::rectangle;
+  void polyline(std::span<const Vec2d> points, const Stroke& stroke) override;
+  void polygon(std::span<const Vec2d> corners, const ShapeLook& look) override;
+  void rectangle(const PaintArea& area, const ShapeLook& look, double rounding) override;
+  void circle(const Vec2d& middle, double radius, const ShapeLook& look) override;
+  void picture(const PaintArea& area, const Image<Rgb8>& levels) override;
+  void begin_clip(const PaintArea& area) override;
+  void end_clip() override;
+  void begin_named(const std::function<std::string()>& words) override;
+  void end_named() override;
+  TextExtent extent(std::string_view text, Lettering lettering) const override;
   /// The file's text.
   std::string finish() const { return body_ + "</svg>\n"; }
 
  private:
+  void write(const Vec2d& at, std::string_view words, const TextLook& look) override;
   std::string body_;
   int clips_ = 0;
 };

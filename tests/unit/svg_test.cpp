@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "inspect/microscope/micro_svg.h"
+#include "inspect/space_drawing.h"
 #include "inspect/space_orbit.h"
-#include "inspect/space_svg.h"
 #include "render/render.h"
 #include "scene/load.h"
 
@@ -85,7 +85,7 @@ TEST(Svg, SpaceViewDrawsTheStory) {
     EXPECT_EQ(count(svg, "<image "), 1u);
     EXPECT_GT(count(svg, "<line "), 5u);
     EXPECT_GT(count(svg, "light 1 (point)"), 0u);
-    SpaceSvgOptions few;
+    SpaceLook few;
     few.least_contribution = 0.9;
     if (renderer == Renderer::ray_tracer) {
       EXPECT_LT(count(space_svg(model, picture, few), "<line "), count(svg, "<line "));
@@ -106,10 +106,10 @@ TEST(Svg, BoxesOfAModelAreDrawnWhole) {
   const SpaceOrbit orbit = preset_orbit(SpacePreset::outside, model.bounds, inspected.scene.camera, 1.5);
   const SpacePicture picture = draw_space_picture(inspected.scene, orbit_view(orbit, inspected.scene.camera, 900, 600),
                                                   0.02 * orbit.distance, inspected.prepared, inspected.progress);
-  SpaceSvgOptions options;
-  options.nodes = true;
-  options.deepest_level = model.deepest_level;
-  EXPECT_GE(count(space_svg(model, picture, options), "<line "), 12 * model.items.size());
+  SpaceLook look;
+  look.groups[static_cast<std::size_t>(SpaceGroup::nodes)] = true;
+  look.deepest_level = model.deepest_level;
+  EXPECT_GE(count(space_svg(model, picture, look), "<line "), 12 * model.items.size());
 }
 
 TEST(Svg, MicroscopeDrawsThePixel) {

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "image/painter.h"
 #include "inspect/microscope/microscope.h"
 
 namespace ps {
@@ -50,6 +51,13 @@ MicroDrawing pixel_drawing(const Microscope& microscope, const MicroReading& rea
 
 /// Texels around a lookup, with the pixel's footprint and what was read, in texels from the texture's top left.
 MicroDrawing texel_drawing(const MicroTexels& texels);
+
+/// The place of a point of a drawing that fills `area`, and the point at a place.
+Vec2d micro_place(const MicroDrawing& drawing, const PaintArea& area, const Vec2d& point);
+Vec2d micro_point(const MicroDrawing& drawing, const PaintArea& area, const Vec2d& place);
+
+/// Draws the items over their backdrop.
+void draw_micro(Painter& painter, const MicroDrawing& drawing, const PaintArea& area);
 
 /// A line of numbers beside the drawing.
 struct MicroRow {

@@ -9,6 +9,7 @@
 #include "gui/panels/microscope/surroundings_view.h"
 #include "gui/session/select_event.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/screen_painter.h"
 #include "inspect/microscope/event_of_triangle.h"
 #include "inspect/microscope/micro_svg.h"
 #include "options/renderer_kind.h"
@@ -90,19 +91,26 @@ void follow_story(Session& session, MicroscopePanelState& state, const PixelStor
   state.chosen = triangle_of_event(*story, reading, selected);
 }
 
+void show_drawing(const MicroDrawing& drawing, const PaintArea& area, const Texture& backdrop) {
+  const std::array pictures{ScreenPicture{&drawing.backdrop, backdrop.id()}};
+  ScreenPainter painter(*ImGui::GetWindowDrawList(), pictures);
+  draw_micro(painter, drawing, area);
+}
+
 /// The pixel itself; a drag moves the sample point.
 void pixel_view(Session& session, MicroscopePanelState& state, float size) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const Area area{{std::floor(at.x), std::floor(at.y)}, {std::floor(at.x) + size, std::floor(at.y) + size}};
+  const Vec2d corner(std::floor(at.x), std::floor(at.y));
+  const PaintArea area{corner, corner + Vec2d(size)};
   ImGui::InvisibleButton("pixel", {size, size});
   const Vec2d point = state.shown->reading.point;
   controls().record("pixel", fmt::format("{:.4g},{:.4g}", point.x, point.y));
   if (ImGui::IsItemActive()) {
-    const Vec2d to = micro_point(state.drawing, area, ImGui::GetIO().MousePos);
+    const Vec2d to = micro_point(state.drawing, area, paint_place(ImGui::GetIO().MousePos));
     move_point(session, Vec2d(std::clamp(to.x, -micro_margin, 1 + micro_margin),
                               std::clamp(to.y, -micro_margin, 1 + micro_margin)));
   }
-  draw_micro(*ImGui::GetWindowDrawList(), state.drawing, area, state.backdrop.id());
+  show_drawing(state.drawing, area, state.backdrop);
 }
 
 bool toolbar(Session& session, MicroscopePanelState& state, bool filled) {
@@ -243,11 +251,11 @@ void texel_views(MicroscopePanelState& state, const MicroTexture& texture, float
     ImGui::BeginGroup();
     ImGui::TextDisabled("level %d", texture.levels[i].level);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const Area area{at, {at.x + size, at.y + size}};
+    const PaintArea area{paint_place(at), paint_place({at.x + size, at.y + size})};
     ImGui::Dummy({size, size});
     controls().record(fmt::format("texels/{}", texture.levels[i].level),
                       fmt::format("{}", texture.levels[i].taps.size()));
-    draw_micro(*ImGui::GetWindowDrawList(), state.texels[i], area, state.texel_backdrops[i].id());
+    show_drawing(state.texels[i], area, state.texel_backdrops[i]);
     ImGui::EndGroup();
   }
 }

@@ -3,11 +3,10 @@
 #include <functional>
 #include <optional>
 
-#include "gui/panels/microscope/micro_paint.h"
 #include "gui/platform/texture.h"
 #include "gui/session/session.h"
 #include "gui/work/latest_result.h"
-#include "inspect/microscope/microscope.h"
+#include "inspect/microscope/drawing.h"
 
 namespace ps::gui {
 

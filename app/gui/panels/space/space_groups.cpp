@@ -10,13 +10,12 @@ std::size_t index_of(SpaceGroup group) { return static_cast<std::size_t>(group);
 
 }  // namespace
 
-std::array<bool, space_groups.size()> shown_groups(const OutsideView& outside) {
-  std::array<bool, space_groups.size()> shown{};
-  for (const auto& row : space_groups) shown[index_of(row.group)] = row.shown;
+SpaceGroups shown_groups(const OutsideView& outside) {
+  SpaceGroups shown = first_space_groups();
   std::istringstream words(outside.switched);
   for (std::string key; std::getline(words, key, ',');)
     for (const auto& row : space_groups)
-      if (row.key == key) shown[index_of(row.group)] = !row.shown;
+      if (row.key == key) shown[index_of(row.group)] = !first_space_groups()[index_of(row.group)];
   return shown;
 }
 
@@ -25,7 +24,7 @@ void switch_group(OutsideView& outside, SpaceGroup group) {
   shown[index_of(group)] = !shown[index_of(group)];
   outside.switched.clear();
   for (const auto& row : space_groups)
-    if (shown[index_of(row.group)] != row.shown)
+    if (shown[index_of(row.group)] != first_space_groups()[index_of(row.group)])
       outside.switched += (outside.switched.empty() ? "" : ",") + std::string(row.key);
 }
 

@@ -16,8 +16,8 @@
 #include "gui/session/select_event.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/redraw.h"
+#include "gui/widgets/screen_painter.h"
 #include "gui/widgets/widgets.h"
-#include "inspect/space_svg.h"
 
 namespace ps::gui {
 namespace {
@@ -84,11 +84,11 @@ void show_popup(Session& session, SpacePanelState& state) {
   if (!ImGui::BeginPopup("space-show")) return;
   const auto groups = shown_groups(outside(session));
   for (const auto& row : space_groups) {
-    const SpaceStroke stroke = stroke_of({row.like, SpaceShape::line, {}});
+    Stroke stroke = stroke_of({row.like, SpaceShape::line, {}});
+    stroke.width = std::max(stroke.width, 2.0);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float y = at.y + ImGui::GetFrameHeight() / 2;
-    ImGui::GetWindowDrawList()->AddLine({at.x, y}, {at.x + px(22), y}, colour_u32(stroke.colour),
-                                        std::max(px(2), px(stroke.width)));
+    const double y = at.y + ImGui::GetFrameHeight() / 2;
+    ScreenPainter(*ImGui::GetWindowDrawList()).line({at.x, y}, {at.x + px(22), y}, stroke);
     ImGui::Dummy({px(26), 1});
     ImGui::SameLine();
     bool shown = groups[static_cast<std::size_t>(row.group)];
@@ -278,6 +278,8 @@ SpaceLook look_of(const Session& session, const SpacePanelState& state) {
   look.least_contribution = outside(session).least_contribution;
   look.deepest_level = static_cast<int>(outside(session).deepest_level);
   look.up_to_event = drawn_until(session, state);
+  if (state.shown_story)
+    look.highlighted = shown_event(state.model, *state.shown_story, session.selected_event(inspected_side(session)));
   return look;
 }
 
@@ -327,14 +329,7 @@ void update_space(Session& session, SpacePanelState& state, const VertexChain* v
 
 std::string space_drawing(const Session& session, const SpacePanelState& state) {
   if (!state.picture || !session.has_scene()) return {};
-  // What the panel leaves out, and what has not happened yet, is not in the drawing either.
-  SpaceModel shown = state.model;
-  const SpaceLook look = look_of(session, state);
-  std::erase_if(shown.items, [&](const SpaceItem& item) { return !is_shown(item, look); });
-  SpaceSvgOptions options;
-  options.deepest_level = look.deepest_level;
-  options.nodes = options.grid = options.rejected = true;
-  return space_svg(shown, *state.picture, options);
+  return space_svg(state.model, *state.picture, look_of(session, state));
 }
 
 bool space_panel(Session& session, SpacePanelState& state, const PicturesState& pictures, bool filled) {
@@ -379,27 +374,29 @@ bool space_panel(Session& session, SpacePanelState& state, const PicturesState& 
                         {area.min.x + static_cast<float>(view.width), area.min.y + static_cast<float>(view.height)}};
   list.PushClipRect(area.min, area.max, true);
   add_plain_texture(list, state.texture, drawn_area.min, drawn_area.max);
-  SpaceLook look = look_of(session, state);
-  look.highlighted = selected;
-  if (!from.through_camera) look.picture = &pictures.pictures[index_of(side)].texture;
-  const ImVec2 far_away{-1e6f, -1e6f};
-  Settings outside;
-  const SpaceDrawn drawn = draw_space(list, area, state.model, SpaceProjection(view, outside, state.picture->near),
-                                      state.picture->depth, look, hovered ? ImGui::GetIO().MousePos : far_away);
+  const SpaceLook look = look_of(session, state);
+  const SpaceProjection projection(view, Settings{}, state.picture->near);
+  if (!from.through_camera)
+    draw_on_image_plane(list, area, state.model, projection, look, pictures.pictures[index_of(side)].texture);
+  ScreenPainter painter(list);
+  const SpaceDrawn drawn = draw_space(painter, {paint_place(area.min), paint_place(area.max)}, state.model, projection,
+                                      state.picture->depth, look);
+  const int hovered_event = hovered ? event_under(ImGui::GetIO().MousePos, area, state.model, projection, look) : -1;
   draw_space_gizmos(session, state, pictures, area);
   list.PopClipRect();
   state.items = drawn.items;
   state.rays = drawn.rays;
   state.shadow_rays = drawn.shadow_rays;
   state.boxes = drawn.boxes;
-  if (drawn.highlight_place)
-    controls().record("highlight", {drawn.highlight_place->x - 2, drawn.highlight_place->y - 2},
-                      {drawn.highlight_place->x + 2, drawn.highlight_place->y + 2}, "");
+  if (drawn.highlight_place) {
+    const ImVec2 place = window_place(*drawn.highlight_place);
+    controls().record("highlight", {place.x - 2, place.y - 2}, {place.x + 2, place.y + 2}, "");
+  }
   if (clicked) {
     state.play.running = false;
-    select_event(session, side, drawn.hovered);
+    select_event(session, side, hovered_event);
   }
-  caption(state, session, drawn.hovered >= 0 ? drawn.hovered : event, area);
+  caption(state, session, hovered_event >= 0 ? hovered_event : event, area);
   return fill_or_not;
 }
 

@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "gui/panels/pictures/pictures_panel.h"
-#include "gui/panels/space/space_style.h"
 #include "gui/work/space_tree_worker.h"
 #include "gui/work/space_worker.h"
+#include "inspect/space_model.h"
 #include "inspect/space_orbit.h"
 #include "inspect/space_tree.h"
 #include "inspect/vertex_chain.h"

@@ -1,19 +1,13 @@
-#include "gui/panels/space/space_style.h"
+#include "inspect/space_style.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "gui/theme/theme.h"
-
-namespace ps::gui {
+namespace ps {
 namespace {
 
-const ImVec4 orange{230 / 255.f, 159 / 255.f, 0, 1}, sky_blue{86 / 255.f, 180 / 255.f, 233 / 255.f, 1};
-
 /// A tenth of the colour is drawn about half as wide as all of it.
-float ray_width(double contribution) {
-  return static_cast<float>(1.2 + 2.8 * std::sqrt(std::clamp(contribution, 0.0, 1.0)));
-}
+double ray_width(double contribution) { return 1.2 + 2.8 * std::sqrt(std::clamp(contribution, 0.0, 1.0)); }
 
 }  // namespace
 
@@ -57,59 +51,74 @@ SpaceGroup group_of(SpaceKind kind) {
   return SpaceGroup::camera;
 }
 
-SpaceStroke stroke_of(const SpaceItem& item) {
-  const Palette& p = palette();
-  switch (item.kind) {
-  case SpaceKind::frustum:
-    return {p.text_quiet, 1};
-  case SpaceKind::image_plane:
-    return {p.text, 1.5f};
-  case SpaceKind::pixel_grid:
-    return {p.text_quiet, 1};
-  case SpaceKind::pixel_cell:
-    return {p.attention, 1};
-  case SpaceKind::clip_plane:
-    return {p.text_quiet, 1, true};
-  case SpaceKind::light:
-    return {orange, 2};
-  case SpaceKind::eye_ray:
-    return {p.text, ray_width(item.contribution)};
-  case SpaceKind::sight_line:
-    return {p.text, 2, true};
-  case SpaceKind::reflection_ray:
-    return {sky_blue, ray_width(item.contribution)};
-  case SpaceKind::shadow_ray_lit:
-    return {orange, 1.8f};
-  case SpaceKind::shadow_ray_blocked:
-    return {p.wrong_mark, 1.8f, true};
-  case SpaceKind::light_direction:
-    return {orange, 1.6f, false, true};
-  case SpaceKind::hit_point:
-    return {p.text, 2};
-  case SpaceKind::shading_normal:
-    return {p.right_mark, 2.4f};
-  case SpaceKind::geometric_normal:
-    return {p.right_mark, 1.4f, true};
-  case SpaceKind::triangle:
-    return {p.text, item.emphasised ? 1.8f : 1.f};
-  case SpaceKind::barycentric_area: {
-    const ImVec4 tints[] = {sky_blue, orange, p.right_mark};
-    return {tints[item.level % 3], 1};
-  }
-  case SpaceKind::triangle_on_image:
-    return {item.emphasised ? p.text : p.text_quiet, 1};
-  case SpaceKind::rejected_triangle:
-    return {p.wrong_mark, 1, true};
-  case SpaceKind::node:
-    return {p.text_quiet, item.emphasised ? 1.4f : 1.f, !item.emphasised};
-  case SpaceKind::silhouette:
-    return {p.wrong_mark, 2.4f};
-  case SpaceKind::shadow_volume:
-    return {p.wrong_mark, 1};
-  case SpaceKind::shadow_map:
-    return {orange, 1.6f, true};
-  }
-  return {p.text, 1};
+SpaceGroups first_space_groups() {
+  SpaceGroups groups;
+  groups.fill(true);
+  for (const SpaceGroup hidden : {SpaceGroup::rejected, SpaceGroup::nodes, SpaceGroup::near_plane})
+    groups[static_cast<std::size_t>(hidden)] = false;
+  return groups;
 }
 
-}  // namespace ps::gui
+bool is_shown(const SpaceItem& item, const SpaceLook& look) {
+  const SpaceGroup group = group_of(item.kind);
+  if (!look.groups[static_cast<std::size_t>(group)]) return false;
+  if (look.up_to_event >= 0 && item.event > look.up_to_event) return false;
+  if (group == SpaceGroup::nodes) return item.level <= look.deepest_level;
+  return item.contribution >= look.least_contribution || group == SpaceGroup::rejected;
+}
+
+Stroke stroke_of(const SpaceItem& item) {
+  switch (item.kind) {
+  case SpaceKind::frustum:
+    return {{Role::quiet}, 1};
+  case SpaceKind::image_plane:
+    return {{Role::ink}, 1.5};
+  case SpaceKind::pixel_grid:
+    return {{Role::quiet}, 1};
+  case SpaceKind::pixel_cell:
+    return {{Role::attention}, 1};
+  case SpaceKind::clip_plane:
+    return {{Role::quiet}, 1, dashed};
+  case SpaceKind::light:
+    return {{Role::light}, 2};
+  case SpaceKind::eye_ray:
+    return {{Role::ink}, ray_width(item.contribution)};
+  case SpaceKind::sight_line:
+    return {{Role::ink}, 2, dashed};
+  case SpaceKind::reflection_ray:
+    return {{Role::mirror}, ray_width(item.contribution)};
+  case SpaceKind::shadow_ray_lit:
+    return {{Role::light}, 1.8};
+  case SpaceKind::shadow_ray_blocked:
+    return {{Role::wrong}, 1.8, dashed};
+  case SpaceKind::light_direction:
+    return {{Role::light}, 1.6, dotted};
+  case SpaceKind::hit_point:
+    return {{Role::ink}, 2};
+  case SpaceKind::shading_normal:
+    return {{Role::right}, 2.4};
+  case SpaceKind::geometric_normal:
+    return {{Role::right}, 1.4, dashed};
+  case SpaceKind::triangle:
+    return {{Role::ink}, item.emphasised ? 1.8 : 1.0};
+  case SpaceKind::barycentric_area: {
+    constexpr Role roles[] = {Role::mirror, Role::light, Role::right};
+    return {{roles[item.level % 3]}, 1};
+  }
+  case SpaceKind::triangle_on_image:
+    return {{item.emphasised ? Role::ink : Role::quiet}, 1};
+  case SpaceKind::rejected_triangle:
+    return {{Role::wrong}, 1, dashed};
+  case SpaceKind::node:
+    return {{Role::quiet}, item.emphasised ? 1.4 : 1.0, item.emphasised ? solid : dashed};
+  case SpaceKind::silhouette:
+    return {{Role::wrong}, 2.4};
+  case SpaceKind::shadow_volume:
+    return {{Role::wrong}, 1};
+  case SpaceKind::shadow_map:
+    return {{Role::light}, 1.6, dashed};
+  }
+  return {{Role::ink}, 1};
+}
+
+}  // namespace ps
