@@ -6,6 +6,7 @@
 
 #include "base/kept_inputs.h"
 #include "gui/frame/file_questions.h"
+#include "gui/frame/show_panel.h"
 #include "gui/widgets/widgets.h"
 #include "scene/load.h"
 
@@ -79,6 +80,10 @@ Panel study_panel(Session& session, StudyFrame& study, const Panel& row) {
 
 std::vector<Panel> measure_panels(Session& session, PanelStates& my, const PanelHost& host) {
   my.chart.host = chart_host(session, my.chart, host);
+  my.stability.sweep = [&session, &my](const Option& option, Side side) {
+    my.chart.sweep_option(option, side);
+    show_panel(session, tool_names::chart);
+  };
   return {study_panel(session, my.chart,
                       {.name = tool_names::chart,
                        .group = ToolGroup::measure,

@@ -4,7 +4,6 @@
 #include <imgui.h>
 
 #include <array>
-#include <map>
 
 #include "base/check.h"
 #include "engine/markdown.h"
@@ -96,7 +95,6 @@ class Gallery : public Content {
   }
   void set_option(Side side, const std::string& assignment) override {
     parse_assignment(assignment, settings_[side == Side::a ? 0 : 1]);
-    waking_.clear();
   }
   std::optional<WindowPoint> pixel_place(Side, Vec2i) const override { return {}; }
 
@@ -139,19 +137,9 @@ class Gallery : public Content {
         bool open = true;
         section("section/" + std::string(group), group, open);
       }
-      const OptionPairContext context{.highlight = option.key == "shadow-any-hit",
-                                      .waking = {waking_for(option, 0), waking_for(option, 1)}};
-      for (const OptionRowResult& result : option_pair(option, settings_, traits_, context))
-        if (result.edit.changed) waking_.clear();
+      option_pair(option, settings_, traits_, {.highlight = option.key == "shadow-any-hit"});
     }
     ImGui::EndChild();
-  }
-
-  /// What a side needs for an option to act, kept until a value changes; nullptr if it acts.
-  const Waking* waking_for(const Option& option, std::size_t side) {
-    const auto [found, fresh] = waking_.try_emplace({&option, side});
-    if (fresh) found->second = waking_of(option, settings_[side], traits_);
-    return found->second.reason.empty() ? nullptr : &found->second;
   }
 
   void draw_table() {
@@ -189,7 +177,6 @@ class Gallery : public Content {
   std::unique_ptr<Session> reader_;  ///< what links in a text would act on
   SceneTraits traits_;
   std::array<Settings, 2> settings_;
-  std::map<std::pair<const Option*, std::size_t>, Waking> waking_;
   int count_ = 0, few_ = 0, many_ = 0, tab_ = 0, row_ = 1;
   bool on_ = true, held_ = false, section_open_ = true;
   double linear_ = 2.5, log_ = 0.001, whole_ = 3;

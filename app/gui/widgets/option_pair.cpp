@@ -112,7 +112,9 @@ std::array<OptionRowResult, 2> option_pair(const Option& option, std::array<Sett
   const OptionColumns columns = option_columns(room);
   const CellForm form = form_of(words_of(option, settings), columns.width, room);
   const bool differ = option.get(settings[0]) != option.get(settings[1]);
-  const bool both_rest = context.waking[0] && context.waking[1];
+  const std::array<Waking, 2> waking{waking_of(option, settings[0], traits), waking_of(option, settings[1], traits)};
+  const std::array<bool, 2> rests{!waking[0].reason.empty(), !waking[1].reason.empty()};
+  const bool both_rest = rests[0] && rests[1];
   const float label_height = columns.beside_label ? form.height : height;
   const float cells_top = columns.beside_label ? start.y : start.y + label_height;
   const float end = cells_top + form.height * (form.stacked ? 2 : 1);
@@ -125,17 +127,13 @@ std::array<OptionRowResult, 2> option_pair(const Option& option, std::array<Sett
 
   const std::size_t picked = index_of(context.picked);
   std::array<OptionRowContext, 2> contexts;
-  std::array<std::string, 2> reasons;
-  for (std::size_t i = 0; i < 2; ++i) {
-    contexts[i] = {.side = both_sides[i], .other = &settings[1 - i]};
-    if (context.waking[i]) reasons[i] = context.waking[i]->reason;
-  }
+  for (std::size_t i = 0; i < 2; ++i) contexts[i] = {.side = both_sides[i], .other = &settings[1 - i]};
   // The label, with the unit of numbers.
   const float label_end = columns.beside_label ? columns.a - px(gap) : room;
   const bool has_reset = option.get(settings[picked]) != option.default_value();
   const float label_room = label_end - (has_reset ? reset : 0);
   ImGui::Dummy({label_room, label_height});
-  option_tooltip(option, settings[picked], contexts[picked], reasons[picked]);
+  option_tooltip(option, settings[picked], contexts[picked], waking[picked].reason);
   const ImVec2 label_max{start.x + label_room, start.y + label_height};
   float unit_from = start.x + px(gap);
   {
@@ -182,19 +180,18 @@ std::array<OptionRowResult, 2> option_pair(const Option& option, std::array<Sett
   ImGui::SetCursorScreenPos(start);
   ImGui::Dummy({room, end - start.y});
 
-  const bool same_need = both_rest && waking_text(*context.waking[0]) == waking_text(*context.waking[1]);
+  const bool same_need = both_rest && waking_text(waking[0]) == waking_text(waking[1]);
   const auto take = [&](std::optional<Side> clicked) {
     if (!clicked) return;
     const std::size_t i = index_of(*clicked);
     results[i].request = OptionRequest::wake;
-    results[i].waking = *context.waking[i];
+    results[i].waking = waking[i];
   };
   if (same_need)
-    take(need_lines(option, *context.waking[0], both_sides, {}, room));
+    take(need_lines(option, waking[0], both_sides, {}, room));
   else
     for (std::size_t i = 0; i < 2; ++i)
-      if (context.waking[i])
-        take(need_lines(option, *context.waking[i], std::array{both_sides[i]}, i == 0 ? "A " : "B ", room));
+      if (rests[i]) take(need_lines(option, waking[i], std::array{both_sides[i]}, i == 0 ? "A " : "B ", room));
   ImGui::Dummy({room, px(2)});
   ImGui::PopID();
   return results;

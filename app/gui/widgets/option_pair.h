@@ -8,7 +8,6 @@ namespace ps::gui {
 struct OptionPairContext {
   Side picked = Side::a;  ///< the picture that the row follows: its cell is a field, the other one is quiet
   bool highlight = false;
-  std::array<const Waking*, 2> waking{};  ///< what each side needs to act; nullptr: it acts
 };
 
 /// A row of the table of both pictures' options: the label, and below it (beside it where there is room) the values of

@@ -99,7 +99,7 @@ std::vector<TextLine> column_of(const Session& session, LessonShelf& shelf, cons
   std::vector<TextLine> lines;
   const auto add = [&](const TextBlock& block, std::string_view mark) {
     lay_out(block, mark, Face::body, width, lines);
-    lay_out_needs(block, session, shelf.wakings, width, lines);
+    lay_out_needs(block, session, width, lines);
   };
   if (index == 0) {
     lay_out(own.source, {}, Face::small, width, lines);

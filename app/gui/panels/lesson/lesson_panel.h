@@ -13,7 +13,6 @@
 #include "gui/panels/lesson/lesson_claims.h"
 #include "gui/panels/lesson/notes_sheet.h"
 #include "gui/panels/lesson/text_view.h"
-#include "gui/panels/options/waking_cache.h"
 #include "gui/session/session.h"
 #include "gui/work/file_watch.h"
 
@@ -80,7 +79,6 @@ class LessonShelf {
   bool turn_to_verdict = false;        ///< the page with it is to be shown, once
   bool ask_again = false;              ///< was clicked, until the question takes it
   bool blank = false;                  ///< the presenter's window is black, so that all look at the speaker
-  WakingCache wakings;
   ReadLessons read;
   GlossaryState glossary;
   NotesState notes;

@@ -20,8 +20,7 @@ void add_line(ControlNeed need, float width, std::vector<TextLine>& lines) {
 
 }  // namespace
 
-void lay_out_needs(const TextBlock& block, const Session& session, WakingCache& wakings, float width,
-                   std::vector<TextLine>& lines) {
+void lay_out_needs(const TextBlock& block, const Session& session, float width, std::vector<TextLine>& lines) {
   for (const TextSpan& span : block.spans) {
     if (span.link.kind != LinkKind::control) continue;
     const Option* option = find_option(span.link.target);
@@ -30,10 +29,10 @@ void lay_out_needs(const TextBlock& block, const Session& session, WakingCache& 
     for (const Side side : shown) {
       // A value without effect of an option that acts can be taken; its list says so.
       if (!inactive_reason(*option, session.settings(side), session.traits())) continue;
-      if (const Waking* waking = wakings.find(session, *option, side))
+      if (Waking waking = waking_of(*option, session.settings(side), session.traits()); !waking.reason.empty())
         needs.push_back({option,
                          {side},
-                         *waking,
+                         std::move(waking),
                          fmt::format("{}{}: ",
                                      shown.size() == 1 ? ""
                                      : side == Side::a ? "A "

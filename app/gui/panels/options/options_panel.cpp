@@ -111,7 +111,6 @@ void row(Session& session, OptionsPanelState& state, const Option& option) {
   OptionPairContext context;
   context.picked = session.document().picked;
   context.highlight = state.pointed == &option;
-  for (const Side side : both_sides) context.waking[index_of(side)] = state.wakings.find(session, option, side);
   const bool come = context.highlight && std::exchange(state.come_to_pointed, false);
   const auto results = option_pair(option, settings, session.traits(), context);
   if (come) ImGui::SetScrollHereY();
@@ -143,8 +142,10 @@ GroupRows group_rows(const Session& session, OptionsPanelState& state, std::size
     group.different += differ ? 1 : 0;
     if (!option_matches(option, state.search) || (state.only_differences && !differ)) continue;
     // A row that differs, or that something points at, keeps its place.
-    const bool rests = !differ && state.pointed != &option && state.wakings.find(session, option, Side::a) &&
-                       state.wakings.find(session, option, Side::b);
+    const bool keeps_place = differ || state.pointed == &option;
+    const bool rests = !keeps_place && std::all_of(both_sides.begin(), both_sides.end(), [&](Side side) {
+      return !waking_of(option, session.settings(side), session.traits()).reason.empty();
+    });
     (rests ? group.resting : group.acting).push_back(&option);
   }
   return group;

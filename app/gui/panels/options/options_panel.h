@@ -3,7 +3,6 @@
 #include <string>
 
 #include "gui/panels/options/object_panel.h"
-#include "gui/panels/options/waking_cache.h"
 #include "gui/session/session.h"
 
 namespace ps::gui {
@@ -25,7 +24,6 @@ struct OptionsPanelState {
   bool come_to_pointed = false;                   ///< its row is still to be scrolled into sight
   const Option* sweep = nullptr;                  ///< asked for from a row's menu, until the chart's panel takes it
   std::map<std::string, bool, std::less<>> open;  ///< groups; those that are missing are as at the first start
-  WakingCache wakings;
 };
 
 /// The option table with the values of A and of B side by side, in groups, with search. It follows the picked picture:

@@ -40,24 +40,28 @@ void bar_cell(std::string_view name, double share, const std::string& text, std:
   list.AddLine({x, from.y - px(3)}, {x, to.y + px(3)}, colour_u32(palette().text), px(2));
 }
 
-void column_heading(const char* text, const char* help) {
-  ImGui::TableNextColumn();
+/// One line over the width of the cell, cut where it is too long.
+void cell_line(std::string_view text, const ImVec4& colour) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
-  const FontScope bold(Face::bold);
-  draw_text(at, {at.x + room, at.y + height}, text, palette().text_quiet, 0);
+  draw_text(at, {at.x + room, at.y + height}, text, colour, 0);
   ImGui::Dummy({room, height});
-  const FontScope body(Face::body);
+}
+
+void column_heading(const char* text, const char* help) {
+  ImGui::TableNextColumn();
+  {
+    const FontScope bold(Face::bold);
+    cell_line(text, palette().text_quiet);
+  }
   tooltip(help);
 }
 
 void name_cell(std::string_view text) {
   ImGui::TableNextColumn();
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
-  draw_text(at, {at.x + room, at.y + height}, text, palette().text, 0);
-  ImGui::Dummy({room, height});
-  if (text_width(text) > room) tooltip(text);
+  const bool cut = text_width(text) > ImGui::GetContentRegionAvail().x;
+  cell_line(text, palette().text);
+  if (cut) tooltip(text);
 }
 
 std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
@@ -70,10 +74,7 @@ std::string changes_text(const Settings& from, const Settings& to) {
 void time_cell(const FeatureShare& share) {
   if (share.cost_differs) return bar_cell("time", share.cost_share, percent(share.cost_share));
   const std::string text = "within noise";
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
-  draw_text(at, {at.x + room, at.y + height}, text, palette().text_quiet, 0);
-  ImGui::Dummy({room, height});
+  cell_line(text, palette().text_quiet);
   controls().record("time", text);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -26,6 +27,9 @@ struct StabilityFound {
 struct StabilityTab : Study<StabilityFound> {
   /// Results are kept in `results` as they arrive; scenes of points that are opened are written into `scenes`.
   StabilityTab(const std::function<void()>& wake, std::filesystem::path results, std::filesystem::path scenes);
+
+  /// Shows the chart of an option, as its menu asks.
+  std::function<void(const Option&, Side)> sweep;
 
   /// Shows an experiment by its key, and measures it unless that was done. Throws InputError.
   void show(const std::string& key);
@@ -74,7 +78,8 @@ struct StabilityTab : Study<StabilityFound> {
   std::optional<PlotFrame> curve_area(const StabilityExperiment& experiment, const ExperimentFigure& figure,
                                       const Area& area, ImVec2 mouse, bool clicked);
   std::optional<PlotFrame> figure_area(const StabilityExperiment& experiment, const Figures& figures, float height);
-  void shown_experiment();
+  void option_switch(Session& session, const StabilityExperiment& experiment);
+  void shown_experiment(Session& session);
 
   std::filesystem::path results_, scenes_;
   std::string selected_;  ///< key of the experiment that is shown; empty = the first

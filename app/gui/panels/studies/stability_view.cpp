@@ -4,11 +4,16 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/check.h"
+#include "gui/panels/options/row_results.h"
 #include "gui/panels/studies/bar_plot.h"
+#include "gui/panels/studies/experiment_groups.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/option_pair.h"
 #include "gui/widgets/shorten.h"
 #include "gui/widgets/widgets.h"
 
@@ -66,6 +71,14 @@ void point_tooltip(const Curves& curves, const ExperimentFigure::Row& row, bool 
   ImGui::PopStyleVar();
 }
 
+void group_heading(const ExperimentGroup& group) {
+  ImGui::Spacing();
+  const FontScope bold(Face::bold);
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  value_text(fmt::format("group/{}", group.option ? group.option->key : "none"), group.title());
+  ImGui::PopStyleColor();
+}
+
 /// Pictures belong to the knob of the first figure.
 bool of_the_pictures(const StabilityExperiment& experiment, const ExperimentFigure& figure) {
   return experiment.picture &&
@@ -118,13 +131,16 @@ void StabilityTab::choices(Session&) {
 
 void StabilityTab::experiment_choice() {
   std::vector<Choice> choices;
+  std::vector<const StabilityExperiment*> shown;
   int index = 0;
-  for (const StabilityExperiment& experiment : stability_experiments()) {
-    if (&experiment == &selected()) index = static_cast<int>(choices.size());
-    choices.push_back({experiment.key, experiment.title, ""});
-  }
+  for (const ExperimentGroup& group : experiment_groups())
+    for (const StabilityExperiment* experiment : group.experiments) {
+      if (experiment == &selected()) index = static_cast<int>(choices.size());
+      choices.push_back({experiment->key, experiment->title, group.title()});
+      shown.push_back(experiment);
+    }
   if (choice("experiment", choices, index, {.width = std::min(px(240), ImGui::GetContentRegionAvail().x)}))
-    select(stability_experiments()[static_cast<std::size_t>(index)]);
+    select(*shown[static_cast<std::size_t>(index)]);
 }
 
 /// The figure that is chosen, or the first one.
@@ -210,14 +226,30 @@ std::optional<PlotFrame> StabilityTab::figure_area(const StabilityExperiment& ex
   return {};
 }
 
+/// The option that the experiment is about, of A and of B, to see it act in the pictures.
+void StabilityTab::option_switch(Session& session, const StabilityExperiment& experiment) {
+  const Option* option = option_of(experiment);
+  if (!option || !session.has_scene()) return;
+  std::array<Settings, 2> settings{session.settings(Side::a), session.settings(Side::b)};
+  const auto results = option_pair(*option, settings, session.traits(), {.picked = session.document().picked});
+  for (const Side side : both_sides) {
+    const OptionRowResult& result = results[index_of(side)];
+    if (result.request == OptionRequest::sweep && sweep) sweep(*option, side);
+    take_row_result(session, side, *option, settings[index_of(side)], result);
+  }
+}
+
 /// Where there is little height the curves come first and the words follow below, to be scrolled to.
-void StabilityTab::shown_experiment() {
+void StabilityTab::shown_experiment(Session& session) {
   const StabilityExperiment& experiment = selected();
   const MeasuredExperiment* result = result_of(experiment.key);
   const std::span<const StabilityRow> rows = result ? std::span(result->rows) : std::span<const StabilityRow>{};
   const auto figures = experiment_figures(experiment, rows);
   const bool low = ImGui::GetContentRegionAvail().y < px(little_height);
-  if (!low) explanation(experiment, rows);
+  if (!low) {
+    option_switch(session, experiment);
+    explanation(experiment, rows);
+  }
   if (const std::string reason = why_absent(experiment.key); !reason.empty()) {
     quiet_text(fmt::format("Not measured: {}.", reason));
     controls().record("absent", reason);
@@ -230,7 +262,10 @@ void StabilityTab::shown_experiment() {
   const float room = ImGui::GetContentRegionAvail().y;
   const float height = std::max(strip && !low ? room * curves_share : room, px(least_plot));
   const auto frame = figure_area(experiment, figures, height);
-  if (low) explanation(experiment, rows);
+  if (low) {
+    explanation(experiment, rows);
+    option_switch(session, experiment);
+  }
   if (const auto knob = film_strip_view(strip_, experiment, frame && !low ? &*frame : nullptr))
     begin_opening(opening_, experiment, *knob);
 }
@@ -241,10 +276,14 @@ void StabilityTab::list() {
   search_box("search", search_, "Find an experiment");
   ImGui::BeginChild("rows");
   bool any = false;
-  for (const StabilityExperiment& experiment : stability_experiments()) {
-    if (!experiment_matches(experiment, search_)) continue;
-    any = true;
-    list_row(experiment);
+  for (const ExperimentGroup& group : experiment_groups()) {
+    bool headed = false;
+    for (const StabilityExperiment* experiment : group.experiments) {
+      if (!experiment_matches(*experiment, search_)) continue;
+      if (!std::exchange(headed, true)) group_heading(group);
+      any = true;
+      list_row(*experiment);
+    }
   }
   if (!any) {
     quiet_text("No experiment matches.");
@@ -254,13 +293,13 @@ void StabilityTab::list() {
   ImGui::EndChild();
 }
 
-void StabilityTab::draw_result(Session&) {
+void StabilityTab::draw_result(Session& session) {
   if (ImGui::GetContentRegionAvail().x >= px(narrow)) {
     list();
     ImGui::SameLine(0, px(14));
   }
   ImGui::BeginChild("experiment");
-  shown_experiment();
+  shown_experiment(session);
   ImGui::EndChild();
 }
 
