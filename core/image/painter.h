@@ -41,12 +41,12 @@ struct Dash {
   double on = 0, off = 0;
   bool operator==(const Dash&) const = default;
 };
-inline constexpr Dash solid{}, dashed{8, 5}, short_dashes{4, 5}, dotted{2.5, 4};
+inline constexpr Dash unbroken{}, dashed{8, 5}, short_dashes{4, 5}, dotted{2.5, 4};
 
 struct Stroke {
   Tint tint = {};
   double width = 1;  ///< pixels at scale 1
-  Dash dash = solid;
+  Dash dash = unbroken;
 };
 
 /// The inside and the outline of a shape.

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
+#include "base/enumerators.h"
 #include "image/codec.h"
 
 namespace ps {
@@ -21,7 +24,8 @@ std::string colour_attribute(std::string_view property, const Tint& tint) {
 
 std::string stroke_attributes(const Stroke& stroke) {
   std::string text = colour_attribute("stroke", stroke.tint) + fmt::format(" stroke-width=\"{:.4g}\"", stroke.width);
-  if (stroke.dash != solid) text += fmt::format(" stroke-dasharray=\"{:.4g} {:.4g}\"", stroke.dash.on, stroke.dash.off);
+  if (stroke.dash != unbroken)
+    text += fmt::format(" stroke-dasharray=\"{:.4g} {:.4g}\"", stroke.dash.on, stroke.dash.off);
   return text;
 }
 
@@ -42,48 +46,42 @@ std::string place_attributes(const PaintArea& area) {
                      area.width(), area.height());
 }
 
+/// Shades by Role.
+constexpr std::array<Rgb8, static_cast<std::size_t>(Role::own)> shades{{{0x1a, 0x1a, 0x19},    // ink
+                                                                        {0x3a, 0x3b, 0x39},    // quiet
+                                                                        {0x7c, 0x7d, 0x79},    // border
+                                                                        {0xd6, 0xd6, 0xd2},    // faint
+                                                                        {0xff, 0xff, 0xff},    // paper
+                                                                        {0x00, 0x72, 0xb2},    // a
+                                                                        {0xd5, 0x5e, 0x00},    // b
+                                                                        {0x00, 0x77, 0x5a},    // right
+                                                                        {0xa0, 0x4a, 0x80},    // wrong
+                                                                        {0xf0, 0xe4, 0x42},    // attention
+                                                                        {0xe6, 0x9f, 0x00},    // light
+                                                                        {0x56, 0xb4, 0xe9},    // mirror
+                                                                        {0x18, 0x18, 0x18},    // dark
+                                                                        {0xff, 0xff, 0xff}}};  // bright
+
 struct SvgFace {
   double em;
   std::string_view attributes;
 };
+constexpr double label_em = 13, body_em = 17, heading_em = 22, script_em = 0.7 * body_em;
+constexpr std::string_view plain, bold = " font-weight=\"600\"", italic = " font-style=\"italic\"";
+/// Faces by Lettering.
+constexpr std::array<SvgFace, enumerator_count<Lettering>()> faces{{{label_em, plain},
+                                                                    {label_em, bold},
+                                                                    {body_em, plain},
+                                                                    {body_em, bold},
+                                                                    {body_em, italic},
+                                                                    {heading_em, bold},
+                                                                    {script_em, plain},
+                                                                    {script_em, bold},
+                                                                    {script_em, italic}}};
+const SvgFace& face_of(Lettering lettering) { return faces[static_cast<std::size_t>(lettering)]; }
 
-SvgFace face_of(Lettering lettering) {
-  constexpr double label = 13, body = 17, heading = 22, script = 0.7 * body;
-  constexpr std::string_view plain, bold = " font-weight=\"600\"", italic = " font-style=\"italic\"";
-  switch (lettering) {
-  case Lettering::label:
-    return {label, plain};
-  case Lettering::strong_label:
-    return {label, bold};
-  case Lettering::body:
-    return {body, plain};
-  case Lettering::strong:
-    return {body, bold};
-  case Lettering::italic:
-    return {body, italic};
-  case Lettering::heading:
-    return {heading, bold};
-  case Lettering::script:
-    return {script, plain};
-  case Lettering::script_strong:
-    return {script, bold};
-  case Lettering::script_italic:
-    return {script, italic};
-  }
-  return {};
-}
-
-std::string_view anchor_name(TextAnchor anchor) {
-  switch (anchor) {
-  case TextAnchor::start:
-    return "start";
-  case TextAnchor::middle:
-    return "middle";
-  case TextAnchor::end:
-    return "end";
-  }
-  return {};
-}
+/// Names by TextAnchor.
+constexpr std::array<std::string_view, 3> anchors{"start", "middle", "end"};
 
 }  // namespace
 
@@ -127,39 +125,8 @@ std::string base64(std::string_view bytes) {
 double em_of(Lettering lettering) { return face_of(lettering).em; }
 
 Rgb8 paper_shade(Role role) {
-  switch (role) {
-  case Role::ink:
-    return {0x1a, 0x1a, 0x19};
-  case Role::quiet:
-    return {0x3a, 0x3b, 0x39};
-  case Role::border:
-    return {0x7c, 0x7d, 0x79};
-  case Role::faint:
-    return {0xd6, 0xd6, 0xd2};
-  case Role::paper:
-  case Role::bright:
-    return {0xff, 0xff, 0xff};
-  case Role::a:
-    return {0x00, 0x72, 0xb2};
-  case Role::b:
-    return {0xd5, 0x5e, 0x00};
-  case Role::right:
-    return {0x00, 0x77, 0x5a};
-  case Role::wrong:
-    return {0xa0, 0x4a, 0x80};
-  case Role::attention:
-    return {0xf0, 0xe4, 0x42};
-  case Role::light:
-    return {0xe6, 0x9f, 0x00};
-  case Role::mirror:
-    return {0x56, 0xb4, 0xe9};
-  case Role::dark:
-    return {0x18, 0x18, 0x18};
-  case Role::own:
-    break;
-  }
   PS_ASSERT(role != Role::own, "Role::own has no shade");
-  return {};
+  return shades[static_cast<std::size_t>(role)];
 }
 
 SvgPainter::SvgPainter(double width, double height, std::string_view title) : Painter(1) {
@@ -229,7 +196,8 @@ void SvgPainter::write(const Vec2d& at, std::string_view words, const TextLook& 
   const SvgFace face = face_of(look.lettering);
   const auto put = [&](const std::string& colours) {
     body_ += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.4g}\" text-anchor=\"{}\"{}{}>{}</text>\n",
-                         at.x, at.y, face.em, anchor_name(look.anchor), face.attributes, colours, xml_escaped(words));
+                         at.x, at.y, face.em, anchors[static_cast<std::size_t>(look.anchor)], face.attributes, colours,
+                         xml_escaped(words));
   };
   // The rim is a text of its own: not every program that shows SVG knows paint-order, and without it the rim would
   // cover the letters.

@@ -87,7 +87,7 @@ class SpaceDrawing {
     if (hidden) stroke.width = std::min(stroke.width, widest_hidden);
     if (bright_)
       painter_.line(a, b, {{Role::attention, hidden ? hidden_opacity : 0.95}, stroke.width + highlight_width});
-    if (!thin && !hidden && stroke.dash == solid)
+    if (!thin && !hidden && stroke.dash == unbroken)
       painter_.line(a, b, {{Role::paper, rim_opacity}, stroke.width + rim_width});
     stroke.tint.opacity = (thin ? thin_opacity : 1) * (hidden ? hidden_opacity : 1);
     if (hidden && stroke.dash != dotted) stroke.dash = short_dashes;

@@ -110,7 +110,7 @@ Stroke stroke_of(const SpaceItem& item) {
   case SpaceKind::rejected_triangle:
     return {{Role::wrong}, 1, dashed};
   case SpaceKind::node:
-    return {{Role::quiet}, item.emphasised ? 1.4 : 1.0, item.emphasised ? solid : dashed};
+    return {{Role::quiet}, item.emphasised ? 1.4 : 1.0, item.emphasised ? unbroken : dashed};
   case SpaceKind::silhouette:
     return {{Role::wrong}, 2.4};
   case SpaceKind::shadow_volume:

@@ -113,7 +113,11 @@ MarkShape mark_shape(Renderer renderer) {
   return MarkShape::circle;
 }
 
-std::string hex_colour(Rgb8 colour) { return fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b); }
+double largest_memory(const Chart& chart) {
+  double largest = 0;
+  for (const ChartPoint& point : chart.points) largest = std::max(largest, point.memory_mb);
+  return largest;
+}
 
 double mark_radius(double memory_mb, double largest_mb) {
   const double share = largest_mb > 0 ? std::clamp(memory_mb / largest_mb, 0.0, 1.0) : 0;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "image/painter.h"
 #include "study/axis.h"
 #include "study/chart.h"
 
@@ -47,12 +48,17 @@ enum class MarkShape {
   triangle,  ///< a listing
 };
 MarkShape mark_shape(Renderer renderer);
-std::string hex_colour(Rgb8 colour);
+
+/// The Pareto front, and the area in which it may lie.
+inline constexpr Stroke chart_front{{Role::ink}, 1.5, {6, 4}};
+inline constexpr Tint chart_band{Role::ink, 0.1};
 
 inline constexpr double smallest_mark_radius = 4, largest_mark_radius = 9;
 inline constexpr double truth_ring_gap =
     3;  ///< between the mark of the truth and the ring around it, pixels at scale 1
 /// The area of a mark grows with the memory, in pixels at scale 1.
 double mark_radius(double memory_mb, double largest_mb);
+/// The largest memory of a point, in MB.
+double largest_memory(const Chart& chart);
 
 }  // namespace ps

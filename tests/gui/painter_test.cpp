@@ -281,14 +281,16 @@ TEST_F(PainterTest, ItemsOfTheSpaceViewAreTheSameOnTheScreenAndOnPaper) {
 }
 
 TEST_F(PainterTest, ItemsOfTheMicroscopeAreTheSameOnTheScreenAndOnPaper) {
-  for (const MicroShape shape : {MicroShape::line, MicroShape::outline, MicroShape::dot})
-    for (int i = 0; i <= static_cast<int>(MicroKind::place); ++i) {
+  const PaintArea area{{100, 100}, {700, 700}};
+  for (int i = 0; i <= static_cast<int>(MicroKind::place); ++i)
+    for (const bool on_dark : {false, true}) {
       MicroDrawing drawing;
       drawing.backdrop = Image<Rgb8>(2, 2);
-      MicroItem item{static_cast<MicroKind>(i), shape, {{0.2, 0.3}, {0.7, 0.6}}};
-      if (shape == MicroShape::outline) item.points.push_back({0.3, 0.9});
-      drawing.items.push_back(item);
-      const PaintArea area{{100, 100}, {700, 700}};
+      drawing.items.push_back({.kind = static_cast<MicroKind>(i),
+                               .shape = MicroShape::outline,
+                               .points = {{0.2, 0.3}, {0.7, 0.6}, {0.3, 0.9}},
+                               .label = "12",
+                               .on_dark = on_dark});
       const auto draw = [&](Painter& painter) { draw_micro(painter, drawing, area); };
       expect_same(both(draw, &drawing.backdrop), soft_edge + sharp_tip, "kind " + std::to_string(i));
     }

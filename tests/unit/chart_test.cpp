@@ -256,7 +256,7 @@ TEST(Chart, FilesHoldTheTableOfTheDesign) {
   const std::string svg = chart_svg(chart);
   std::size_t circles = 0;
   for (std::size_t at = svg.find("<circle"); at != std::string::npos; at = svg.find("<circle", at + 1)) ++circles;
-  EXPECT_EQ(circles, 8u) << "six points, and both precisions in the legend";
+  EXPECT_EQ(circles, 10u) << "six points; in the legend both precisions and two sizes";
   EXPECT_NE(chart_json(chart).find("\"processor\""), std::string::npos);
   const auto json = nlohmann::json::parse(chart_json(chart));
   EXPECT_EQ(json.at("conclusion"), chart_conclusion(chart).sentence);

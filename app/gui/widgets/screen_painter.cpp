@@ -1,8 +1,10 @@
 #include "gui/widgets/screen_painter.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "base/enumerators.h"
 #include "gui/theme/shade.h"
 
 namespace ps::gui {
@@ -15,29 +17,11 @@ ImU32 colour_of(const Tint& tint) {
   return IM_COL32(tint.own.r, tint.own.g, tint.own.b, static_cast<int>(std::lround(255 * tint.opacity)));
 }
 
-Face face_of(Lettering lettering) {
-  switch (lettering) {
-  case Lettering::label:
-    return Face::small;
-  case Lettering::strong_label:
-    return Face::small_bold;
-  case Lettering::body:
-    return Face::body;
-  case Lettering::strong:
-    return Face::bold;
-  case Lettering::italic:
-    return Face::italic;
-  case Lettering::heading:
-    return Face::heading;
-  case Lettering::script:
-    return Face::script;
-  case Lettering::script_strong:
-    return Face::script_bold;
-  case Lettering::script_italic:
-    return Face::script_italic;
-  }
-  return Face::body;
-}
+/// Faces by Lettering.
+constexpr std::array<Face, enumerator_count<Lettering>()> faces{Face::small,  Face::small_bold,  Face::body,
+                                                                Face::bold,   Face::italic,      Face::heading,
+                                                                Face::script, Face::script_bold, Face::script_italic};
+ImFont* font_of(Lettering lettering) { return theme().font(faces[static_cast<std::size_t>(lettering)]); }
 
 }  // namespace
 
@@ -59,9 +43,9 @@ float ScreenPainter::dashes(ImVec2 from, ImVec2 to, const Stroke& stroke, float 
 }
 
 void ScreenPainter::polyline(std::span<const Vec2d> points, const Stroke& stroke) {
-  if (points.size() == 2 && stroke.dash == solid)
+  if (points.size() == 2 && stroke.dash == unbroken)
     return list_.AddLine(window_place(points[0]), window_place(points[1]), colour_of(stroke.tint), width_of(stroke));
-  if (stroke.dash == solid) {
+  if (stroke.dash == unbroken) {
     for (const Vec2d& point : points) list_.PathLineTo(window_place(point));
     return list_.PathStroke(colour_of(stroke.tint), ImDrawFlags_None, width_of(stroke));
   }
@@ -76,7 +60,7 @@ void ScreenPainter::polygon(std::span<const Vec2d> corners, const ShapeLook& loo
     list_.PathFillConvex(colour_of(*look.fill));
   }
   if (!look.stroke) return;
-  if (look.stroke->dash == solid) {
+  if (look.stroke->dash == unbroken) {
     for (const Vec2d& corner : corners) list_.PathLineTo(window_place(corner));
     return list_.PathStroke(colour_of(look.stroke->tint), ImDrawFlags_Closed, width_of(*look.stroke));
   }
@@ -112,13 +96,13 @@ void ScreenPainter::begin_clip(const PaintArea& area) {
 void ScreenPainter::end_clip() { list_.PopClipRect(); }
 
 TextExtent ScreenPainter::extent(std::string_view text, Lettering lettering) const {
-  ImFont* font = theme().font(face_of(lettering));
+  ImFont* font = font_of(lettering);
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.data(), text.data() + text.size());
   return {size.x, font->Ascent, font->FontSize - font->Ascent};
 }
 
 void ScreenPainter::write(const Vec2d& at, std::string_view words, const TextLook& look) {
-  ImFont* font = theme().font(face_of(look.lettering));
+  ImFont* font = font_of(look.lettering);
   const double share = look.anchor == TextAnchor::start ? 0 : look.anchor == TextAnchor::middle ? 0.5 : 1;
   const double width = look.anchor == TextAnchor::start ? 0 : extent(words, look.lettering).width;
   const ImVec2 corner{std::round(static_cast<float>(at.x - share * width)),

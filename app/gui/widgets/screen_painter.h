@@ -10,6 +10,7 @@ namespace ps::gui {
 
 inline ImVec2 window_place(const Vec2d& place) { return {static_cast<float>(place.x), static_cast<float>(place.y)}; }
 inline Vec2d paint_place(ImVec2 place) { return {place.x, place.y}; }
+inline PaintArea paint_area(ImVec2 min, ImVec2 max) { return {paint_place(min), paint_place(max)}; }
 
 /// The texture that shows a picture.
 struct ScreenPicture {

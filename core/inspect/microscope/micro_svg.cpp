@@ -12,7 +12,7 @@ constexpr double page_margin = 24, pixel_size = 620, column = 110, names = 150, 
 constexpr double text_left = page_margin + pixel_size + 28, page_width = text_left + names + 3 * column + page_margin,
                  page_height = pixel_size + 2 * page_margin + 24;
 
-PaintArea square(const Vec2d& corner, double size) { return {corner, corner + size}; }
+PaintArea square_at(const Vec2d& corner, double size) { return {corner, corner + size}; }
 
 /// Writes the table and returns where it ends.
 double draw_table(Painter& painter, const MicroTable& table, double y) {
@@ -35,7 +35,7 @@ std::string micro_svg(const Microscope& microscope, const MicroReading& reading,
   SvgPainter svg(page_width, page_height, title);
   svg.text({page_margin, page_margin}, title, {.lettering = Lettering::strong});
   const MicroDrawing drawing = pixel_drawing(microscope, reading, selected);
-  draw_micro(svg, drawing, square({page_margin, page_margin + 12}, pixel_size));
+  draw_micro(svg, drawing, square_at({page_margin, page_margin + 12}, pixel_size));
   double y = page_margin + 28;
   svg.text({text_left, y}, "At the point: " + reading.seen, {.lettering = Lettering::strong});
   y += line_height;
@@ -53,7 +53,7 @@ std::string micro_svg(const Microscope& microscope, const MicroReading& reading,
     if (x + texel_size > page_width) break;
     svg.text({x, y + line_height}, fmt::format("texture level {}", level.level), {});
     const MicroDrawing texels = texel_drawing(level);
-    draw_micro(svg, texels, square({x, y + line_height + 8}, texel_size));
+    draw_micro(svg, texels, square_at({x, y + line_height + 8}, texel_size));
     x += texel_size + 16;
   }
   return svg.finish();

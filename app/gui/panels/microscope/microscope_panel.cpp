@@ -251,7 +251,7 @@ void texel_views(MicroscopePanelState& state, const MicroTexture& texture, float
     ImGui::BeginGroup();
     ImGui::TextDisabled("level %d", texture.levels[i].level);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const PaintArea area{paint_place(at), paint_place({at.x + size, at.y + size})};
+    const PaintArea area = paint_area(at, {at.x + size, at.y + size});
     ImGui::Dummy({size, size});
     controls().record(fmt::format("texels/{}", texture.levels[i].level),
                       fmt::format("{}", texture.levels[i].taps.size()));

@@ -8,7 +8,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr double reach = 7;             // how near the pointer must be, pixels at scale 1
+constexpr double pointer_reach = 7;     // how near the pointer must be, pixels at scale 1
 constexpr double point_nearness = 0.6;  // points win over the lines that end in them
 constexpr int image_patches = 10;       // along each side; a patch is drawn without perspective
 
@@ -54,7 +54,7 @@ int event_under(ImVec2 pointer, const Area& area, const SpaceModel& model, const
                 const SpaceLook& look) {
   const Vec2d at(pointer.x - area.min.x, pointer.y - area.min.y);
   int found = -1;
-  double nearest = px(reach);
+  double nearest = px(pointer_reach);
   for_each_shown(model, look, [&](const SpaceItem& item) {
     if (item.event < 0) return;
     const auto offer = [&](double distance) {

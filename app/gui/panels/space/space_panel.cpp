@@ -379,8 +379,8 @@ bool space_panel(Session& session, SpacePanelState& state, const PicturesState& 
   if (!from.through_camera)
     draw_on_image_plane(list, area, state.model, projection, look, pictures.pictures[index_of(side)].texture);
   ScreenPainter painter(list);
-  const SpaceDrawn drawn = draw_space(painter, {paint_place(area.min), paint_place(area.max)}, state.model, projection,
-                                      state.picture->depth, look);
+  const SpaceDrawn drawn =
+      draw_space(painter, paint_area(area.min, area.max), state.model, projection, state.picture->depth, look);
   const int hovered_event = hovered ? event_under(ImGui::GetIO().MousePos, area, state.model, projection, look) : -1;
   draw_space_gizmos(session, state, pictures, area);
   list.PopClipRect();

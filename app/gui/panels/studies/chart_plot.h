@@ -2,26 +2,11 @@
 #include <imgui.h>
 
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "gui/panels/pictures/picture_transform.h"
-#include "study/chart.h"
-#include "study/label_layout.h"
+#include "study/chart_drawing.h"
 
 namespace ps::gui {
-
-/// Where the labels of a plot are. Finding places takes a while, so they are kept until something moves.
-struct ChartLabels {
-  std::string key;  ///< what the places were found for
-  std::vector<LabelWish> wishes;
-  std::vector<LabelPlace> places;
-};
-
-/// Which points show what A and B show now, and which one the mouse was over in the last frame.
-struct ChartMarks {
-  std::optional<std::size_t> a, b, hovered;
-};
 
 /// Draws the measured points of a chart, its axes, front and labels into an area. `mouse` in window pixels. Answers the
 /// point under the mouse, by its place in `chart.points`.

@@ -9,6 +9,7 @@
 #include "gui/base/record.h"
 #include "gui/theme/theme.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/screen_painter.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -51,44 +52,42 @@ void draw_curve(ImDrawList& list, const Curves& curves, const PlotFrame& frame, 
       last.reset();
       continue;
     }
-    const ImVec2 at = frame.at(row.knob, value);
+    const ImVec2 at = window_place(frame.at(row.knob, value));
     const bool joined = curves.figure.quantity->between == Between::values;
     if (last && joined) list.AddLine(*last, at, colour_u32(method_colour(method)), px(2));
     last = at;
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double value = value_of(rows[i], method);
-    if (std::isfinite(value)) draw_method_sign(list, frame.at(rows[i].knob, value), method, i == strong);
+    if (std::isfinite(value)) draw_method_sign(list, window_place(frame.at(rows[i].knob, value)), method, i == strong);
   }
 }
 
 /// A band over the knobs where the naive method may be used, with its name.
-void draw_safe_window(ImDrawList& list, const Curves& curves, const PlotFrame& frame) {
+void draw_safe_window(Painter& painter, const Curves& curves, const PlotFrame& frame) {
   if (curves.safe.empty()) return;
   const PlotAxis& knob = frame.x;
   const double low = std::max(curves.safe.low, knob.zero_place ? 0.0 : knob.low),
                high = std::min(curves.safe.high, knob.high);
   if (!(low <= high)) return;
   const auto& in = frame.inner;
-  const float left = curves.safe.low <= knob.low ? in.min.x : frame.at(low, 0).x;
-  const float right = curves.safe.high >= knob.high ? in.max.x : frame.at(high, 0).x;
-  list.AddRectFilled({left, in.min.y}, {right, in.max.y}, colour_u32(palette().right, 0.14));
-  for (const float x : {left, right})
-    list.AddLine({x, in.min.y}, {x, in.max.y}, colour_u32(palette().right_mark), px(1));
-  ImFont* font = theme().font(Face::small);
-  const char* text = "safe";
-  const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text).x;
-  const float least = in.min.x + px(3), most = std::max(least, in.max.x - width - px(3));
-  const float x = std::clamp((left + right - width) / 2, least, most);
-  list.AddText(font, font->FontSize, {x, in.min.y + px(2)}, colour_u32(palette().text), text);
+  const double left = curves.safe.low <= knob.low ? in.low.x : frame.at(low, 0).x;
+  const double right = curves.safe.high >= knob.high ? in.high.x : frame.at(high, 0).x;
+  painter.rectangle({{left, in.low.y}, {right, in.high.y}}, {.fill = Tint{Role::right, 0.14}});
+  for (const double x : {left, right}) painter.line({x, in.low.y}, {x, in.high.y}, {{Role::right}});
+  const std::string_view text = "safe";
+  const double width = painter.extent(text, Lettering::label).width;
+  const double least = in.low.x + px(3), most = std::max(least, in.high.x - width - px(3));
+  painter.text({std::clamp((left + right - width) / 2, least, most), in.low.y + px(2)}, text,
+               {.level = TextLevel::top});
 }
 
 std::optional<std::size_t> nearest(const Curves& curves, const PlotFrame& frame, ImVec2 mouse) {
-  if (!frame.inner.contains(mouse)) return {};
+  if (!Area{window_place(frame.inner.low), window_place(frame.inner.high)}.contains(mouse)) return {};
   std::optional<std::size_t> found;
-  float best = px(40);
+  double best = px(40);
   for (std::size_t i = 0; i < curves.figure.rows.size(); ++i) {
-    const float distance = std::abs(frame.at(curves.figure.rows[i].knob, 0).x - mouse.x);
+    const double distance = std::abs(frame.at(curves.figure.rows[i].knob, 0).x - mouse.x);
     if (distance >= best) continue;
     best = distance;
     found = i;
@@ -109,23 +108,25 @@ CurvesDrawn draw_curves(ImDrawList& list, const Area& area, const Curves& curves
   const Area plot{{area.min.x, area.min.y + curves.names.height(area.width())}, area.max};
   CurvesDrawn drawn;
   const std::string title = curves.figure.axis_title();
-  drawn.frame = draw_plot_frame(list, plot, knob_axis(knobs), axis_for(results), {curves.knob, title});
+  ScreenPainter painter(list);
+  drawn.frame = draw_plot_frame(painter, paint_area(plot.min, plot.max), knob_axis(knobs), axis_for(results),
+                                {curves.knob, title});
   controls().record("axis", title);
   list.PushClipRect(area.min, area.max, true);
   drawn.cut = curves.names.draw(list, area, mouse);
-  draw_safe_window(list, curves, drawn.frame);
+  draw_safe_window(painter, curves, drawn.frame);
   drawn.hovered = nearest(curves, drawn.frame, mouse);
   const auto strong = drawn.hovered ? drawn.hovered : marked;
   if (strong) {
-    const float x = std::round(drawn.frame.at(rows[*strong].knob, 0).x);
-    list.AddLine({x, drawn.frame.inner.min.y}, {x, drawn.frame.inner.max.y}, colour_u32(palette().text_quiet));
+    const double x = std::round(drawn.frame.at(rows[*strong].knob, 0).x);
+    painter.line({x, drawn.frame.inner.low.y}, {x, drawn.frame.inner.high.y}, {{Role::quiet}});
   }
   for (const Method method : {Method::robust, Method::naive}) draw_curve(list, curves, drawn.frame, method, strong);
-  controls().record("axis/marked", drawn.frame.inner.min, drawn.frame.inner.max,
+  controls().record("axis/marked", window_place(drawn.frame.inner.low), window_place(drawn.frame.inner.high),
                     marked ? full_number(rows[*marked].knob) : "none");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const ExperimentFigure::Row& row = rows[i];
-    const ImVec2 at = drawn.frame.at(row.knob, std::isfinite(row.naive) ? row.naive : row.robust);
+    const ImVec2 at = window_place(drawn.frame.at(row.knob, std::isfinite(row.naive) ? row.naive : row.robust));
     controls().record(fmt::format("point/{}", i), {at.x - 2, at.y - 2}, {at.x + 2, at.y + 2},
                       fmt::format("{} {}", full_number(row.naive), full_number(row.robust)));
   }

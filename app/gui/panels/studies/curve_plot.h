@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gui/panels/studies/method_signs.h"
-#include "gui/panels/studies/plot_frame.h"
+#include "study/plot_frame.h"
 #include "study/stability/figures.h"
 
 namespace ps::gui {

@@ -8,7 +8,6 @@
 #include <numeric>
 #include <vector>
 
-#include "gui/panels/studies/plot_frame.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 #include "study/stability/figures.h"
@@ -20,6 +19,9 @@ constexpr FilmStripOptions strip_options{.frame_height = 240, .gap = 4};
 constexpr int methods = 3;             // rows: naive, robust, where they differ
 constexpr double largest_frame = 240;  // height in pixels at scale 1
 constexpr double between_frames = 8, lines_height = 26;
+
+/// A number as axes write it: "10⁻⁵" for a power of ten that would be long, else four significant digits.
+std::string axis_number(double value) { return power_text(value, short_number(value)); }
 
 /// Where the frames lie in the window.
 struct FrameLayout {
@@ -55,10 +57,10 @@ std::vector<int> columns_of(const StabilityExperiment& experiment, const PlotFra
 void join_to_axis(ImDrawList& list, const FrameLayout& layout, const std::vector<double>& knobs, const PlotFrame& above,
                   float top, float bottom) {
   for (std::size_t i = 0; i < knobs.size(); ++i) {
-    const float from = above.at(knobs[i], 0).x;
+    const auto from = static_cast<float>(above.at(knobs[i], 0).x);
     const float to = layout.of(static_cast<int>(i), 0).x + layout.frame.x / 2;
     list.AddLine({from, top}, {to, bottom}, colour_u32(palette().line_strong), px(1));
-    const float foot = above.inner.max.y;
+    const auto foot = static_cast<float>(above.inner.high.y);
     list.AddTriangleFilled({from - px(4), foot + px(1)}, {from + px(4), foot + px(1)}, {from, foot - px(6)},
                            colour_u32(palette().text_quiet));
   }

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "gui/panels/studies/plot_frame.h"
 #include "gui/platform/texture.h"
 #include "gui/work/background_study.h"
+#include "study/plot_frame.h"
 #include "study/stability/pictures.h"
 
 namespace ps::gui {
