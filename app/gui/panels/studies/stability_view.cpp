@@ -239,7 +239,8 @@ void StabilityTab::option_switch(Session& session, const StabilityExperiment& ex
   }
 }
 
-/// Where there is little height the curves come first and the words follow below, to be scrolled to.
+/// Where there is little height the curves come first and the words follow below, to be scrolled to; the options are
+/// beside the pictures then.
 void StabilityTab::shown_experiment(Session& session) {
   const StabilityExperiment& experiment = selected();
   const MeasuredExperiment* result = result_of(experiment.key);
@@ -262,10 +263,7 @@ void StabilityTab::shown_experiment(Session& session) {
   const float room = ImGui::GetContentRegionAvail().y;
   const float height = std::max(strip && !low ? room * curves_share : room, px(least_plot));
   const auto frame = figure_area(experiment, figures, height);
-  if (low) {
-    explanation(experiment, rows);
-    option_switch(session, experiment);
-  }
+  if (low) explanation(experiment, rows);
   if (const auto knob = film_strip_view(strip_, experiment, frame && !low ? &*frame : nullptr))
     begin_opening(opening_, experiment, *knob);
 }

@@ -14,7 +14,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr double between_controls = 8, enough_height = 320;  // pixels at scale 1
+constexpr double between_controls = 8, enough_height = 320, least_result = 110;  // pixels at scale 1
 
 /// As many whole sentences from the beginning as fit into one line.
 std::string sentences_that_fit(const std::string& text, float width) {
@@ -189,7 +189,8 @@ bool StudyFrame::draw(Session& session, bool filled) {
   follow(session);
   const bool fill = toolbar(session, filled);
   status_line(session);
-  ImGui::BeginChild("result");
+  // Where the lines above leave too little, the panel is scrolled.
+  ImGui::BeginChild("result", {0, std::max(ImGui::GetContentRegionAvail().y, px(least_result))});
   draw_result(session);
   ImGui::EndChild();
   return fill;
