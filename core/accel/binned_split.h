@@ -50,9 +50,9 @@ struct Extent {
 
 /// A primitive while the tree is built: its box, with its number in the lane that is free.
 template <class Real>
-struct Reference : Extent<Real> {
-  Reference() = default;
-  Reference(const Box<Real>& box, std::uint32_t primitive) {
+struct PrimitiveReference : Extent<Real> {
+  PrimitiveReference() = default;
+  PrimitiveReference(const Box<Real>& box, std::uint32_t primitive) {
     this->low = Lanes4<Real>{box.low.x, box.low.y, box.low.z, 0};
     this->high = Lanes4<Real>{box.high.x, box.high.y, box.high.z, 0};
     std::memcpy(reinterpret_cast<char*>(&this->high) + 3 * sizeof(Real), &primitive, sizeof primitive);
@@ -92,7 +92,7 @@ struct Binning {
 
 /// Where a node is cut: references whose bin on `axis` is below `bin` go left.
 template <class Real>
-struct Split {
+struct BvhSplit {
   int axis = -1;  ///< -1: it stays whole
   int bin = 0;
   std::uint32_t left_count = 0;
@@ -113,10 +113,10 @@ inline constexpr double bvh_traversal_cost = 0.5;  ///< of a node, in tests of u
 template <class Real>
 class BinSet {
  public:
-  void add(std::span<const Reference<Real>> references, const Extent<Real>& centroids, int bins) {
+  void add(std::span<const PrimitiveReference<Real>> references, const Extent<Real>& centroids, int bins) {
     bins_ = bins;
     binning_ = Binning<Real>(centroids, bins);
-    for (const Reference<Real>& reference : references) {
+    for (const PrimitiveReference<Real>& reference : references) {
       Lanes4<Real> centroid;
       typename FourLanes<Real>::Index index;
       reference.centroid(centroid);
@@ -138,7 +138,7 @@ class BinSet {
 
   /// The cut that costs least by the surface-area heuristic, primitives counting in groups of four as they are tested.
   /// Large nodes are always cut if they can be; one of moderate size may stay whole.
-  Split<Real> best_split(std::uint32_t count, const Extent<Real>& box, const Extent<Real>& centroids) const {
+  BvhSplit<Real> best_split(std::uint32_t count, const Extent<Real>& box, const Extent<Real>& centroids) const {
     const double area = box.half_area();
     double best_cost = count > 4 * bvh_leaf ? std::numeric_limits<double>::infinity() : groups(count) * area;
     int best_axis = -1, best_bin = 0;
@@ -170,11 +170,11 @@ class BinSet {
         }
       }
     }
-    return best_axis < 0 ? Split<Real>() : describe(best_axis, best_bin);
+    return best_axis < 0 ? BvhSplit<Real>() : describe(best_axis, best_bin);
   }
 
   /// How many of these references go left.
-  std::uint32_t left_of(const Split<Real>& split) const {
+  std::uint32_t left_of(const BvhSplit<Real>& split) const {
     std::uint32_t sum = 0;
     for (int i = 0; i < split.bin; ++i)
       sum += counts_[static_cast<std::size_t>(split.axis)][static_cast<std::size_t>(i)];
@@ -187,8 +187,8 @@ class BinSet {
     return whole;
   }
 
-  Split<Real> describe(int axis, int bin) const {
-    Split<Real> split;
+  BvhSplit<Real> describe(int axis, int bin) const {
+    BvhSplit<Real> split;
     split.axis = axis;
     split.bin = bin;
     split.binning = binning_;

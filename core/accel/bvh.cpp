@@ -75,7 +75,7 @@ class BvhBuilder {
       const std::uint32_t begin = static_cast<std::uint32_t>(part) * chunk_size;
       const std::uint32_t end = std::min(count, begin + chunk_size);
       for (std::uint32_t i = begin; i < end; ++i) {
-        const Reference<Real> reference(boxes_[i], i);
+        const PrimitiveReference<Real> reference(boxes_[i], i);
         references_[0][i] = reference;
         parts[part][0].include(reference);
         Lanes4<Real> centroid;
@@ -116,10 +116,10 @@ class BvhBuilder {
       chunk.bins.add(std::span(from).subspan(chunk.begin, chunk.end - chunk.begin), ranges[chunk.range].centroids,
                      most_bins);
     });
-    const std::vector<Split<Real>> splits = choose_splits(ranges, chunks);
+    const std::vector<BvhSplit<Real>> splits = choose_splits(ranges, chunks);
     in_parallel(chunks.size(), [&](std::size_t i) {
       Chunk<Real>& chunk = chunks[i];
-      const Split<Real>& split = splits[chunk.range];
+      const BvhSplit<Real>& split = splits[chunk.range];
       std::array<std::uint32_t, 2> next{chunk.left, chunk.right};
       for (std::uint32_t k = chunk.begin; k < chunk.end; ++k) {
         Lanes4<Real> centroid;
@@ -143,15 +143,15 @@ class BvhBuilder {
     return large;
   }
 
-  static std::vector<Split<Real>> choose_splits(const std::vector<Range<Real>>& ranges,
-                                                std::vector<Chunk<Real>>& chunks) {
-    std::vector<Split<Real>> splits(ranges.size());
+  static std::vector<BvhSplit<Real>> choose_splits(const std::vector<Range<Real>>& ranges,
+                                                   std::vector<Chunk<Real>>& chunks) {
+    std::vector<BvhSplit<Real>> splits(ranges.size());
     for (std::size_t first = 0, last = 0; first < chunks.size(); first = last) {
       const Range<Real>& range = ranges[chunks[first].range];
       BinSet<Real> bins = chunks[first].bins;
       for (last = first + 1; last < chunks.size() && chunks[last].range == chunks[first].range; ++last)
         bins.add(chunks[last].bins);
-      const Split<Real> split = bins.best_split(range.count(), range.boxes, range.centroids);
+      const BvhSplit<Real> split = bins.best_split(range.count(), range.boxes, range.centroids);
       std::uint32_t left = range.begin, right = range.begin + split.left_count;
       for (std::size_t i = first; i < last; ++i) {
         chunks[i].left = left;
@@ -168,7 +168,8 @@ class BvhBuilder {
 
   /// Makes an inner node of range.node, whose two children become the last nodes.
   static std::array<Range<Real>, 2> children(std::vector<BvhNode<Real>>& nodes, const Range<Real>& range,
-                                             const Split<Real>& split, const std::array<Extent<Real>, 2>& centroids) {
+                                             const BvhSplit<Real>& split,
+                                             const std::array<Extent<Real>, 2>& centroids) {
     const auto first = static_cast<std::uint32_t>(nodes.size());
     nodes[range.node] = {range.boxes.box(), first, 0};
     nodes.resize(nodes.size() + 2);
@@ -210,7 +211,7 @@ class BvhBuilder {
     const auto& references = references_[static_cast<std::size_t>(subtree.side)];
     const bool whole = range.count() == boxes_.size();
     const std::uint32_t leaf = whole ? bvh_no_tree : bvh_leaf;
-    Split<Real> split;
+    BvhSplit<Real> split;
     if (range.count() > leaf && range.depth < bvh_max_depth - 1) {
       BinSet<Real> bins;
       bins.add(std::span(references).subspan(range.begin, range.count()), range.centroids, bins_for(range.count()));
@@ -234,7 +235,7 @@ class BvhBuilder {
   /// that half of the list is better than a leaf of thousands.
   std::array<Range<Real>, 2> halves(Subtree& subtree, const Range<Real>& range) {
     const auto& references = references_[static_cast<std::size_t>(subtree.side)];
-    Split<Real> split;
+    BvhSplit<Real> split;
     split.left_count = range.count() / 2;
     std::array<Extent<Real>, 2> centroids;
     for (std::uint32_t i = range.begin; i < range.end; ++i) {
@@ -247,10 +248,10 @@ class BvhBuilder {
     return children(subtree.nodes, range, split, centroids);
   }
 
-  std::array<Extent<Real>, 2> partition(int side, const Range<Real>& range, const Split<Real>& split) {
-    Reference<Real>* const references = references_[static_cast<std::size_t>(side)].data();
+  std::array<Extent<Real>, 2> partition(int side, const Range<Real>& range, const BvhSplit<Real>& split) {
+    PrimitiveReference<Real>* const references = references_[static_cast<std::size_t>(side)].data();
     std::array<Extent<Real>, 2> centroids;
-    std::partition(references + range.begin, references + range.end, [&](const Reference<Real>& reference) {
+    std::partition(references + range.begin, references + range.end, [&](const PrimitiveReference<Real>& reference) {
       Lanes4<Real> centroid;
       reference.centroid(centroid);
       const bool left = split.is_left(centroid);
@@ -262,7 +263,7 @@ class BvhBuilder {
 
   std::span<const Box<Real>> boxes_;
   ParallelOptions options_;
-  std::array<std::vector<Reference<Real>>, 2> references_;
+  std::array<std::vector<PrimitiveReference<Real>>, 2> references_;
   std::vector<Subtree> subtrees_;
   Bvh<Real> bvh_;
 };

@@ -11,7 +11,7 @@ namespace ps::hardware {
 
 ChannelResolver::ChannelResolver() : program_("whole_picture.glsl", "sample_channels.glsl", Api::desktop, "") {}
 
-void ChannelResolver::resolve(const Target& target) {
+void ChannelResolver::resolve(const Framebuffer& target) {
   constexpr std::array<const char*, 3> names{"seen_samples", "normal_samples", "weight_samples"};
   program_.use();
   for (std::size_t i = 0; i < names.size(); ++i) {

@@ -1,6 +1,6 @@
 #pragma once
+#include "hardware/framebuffer.h"
 #include "hardware/program.h"
-#include "hardware/target.h"
 
 namespace ps::hardware {
 
@@ -10,7 +10,7 @@ namespace ps::hardware {
 class ChannelResolver {
  public:
   ChannelResolver();
-  void resolve(const Target& target);
+  void resolve(const Framebuffer& target);
 
  private:
   Program program_;

@@ -7,7 +7,7 @@
 
 #include "base/check.h"
 #include "hardware/context.h"
-#include "hardware/render_hardware.h"
+#include "hardware/render.h"
 #include "raster/environment/draw_environment.h"
 
 namespace ps::hardware {

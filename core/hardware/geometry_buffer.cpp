@@ -9,7 +9,7 @@
 
 namespace ps::hardware {
 
-GeometryBuffer::GeometryBuffer(const Target& target) : shape_(target.shape()) {
+GeometryBuffer::GeometryBuffer(const Framebuffer& target) : shape_(target.shape()) {
   try {
     glGenFramebuffers(1, &framebuffer_);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);

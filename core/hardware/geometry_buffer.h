@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 
-#include "hardware/target.h"
+#include "hardware/framebuffer.h"
 
 namespace ps::hardware {
 
@@ -12,7 +12,7 @@ class GeometryBuffer {
   static constexpr std::size_t most_textures = 5;
 
   /// For pictures of this target, which has one sample per pixel and outlives it.
-  explicit GeometryBuffer(const Target& target);
+  explicit GeometryBuffer(const Framebuffer& target);
   ~GeometryBuffer();
   GeometryBuffer(const GeometryBuffer&) = delete;
   GeometryBuffer& operator=(const GeometryBuffer&) = delete;
@@ -26,7 +26,7 @@ class GeometryBuffer {
 
  private:
   void release();
-  TargetShape shape_;
+  FramebufferShape shape_;
   unsigned framebuffer_ = 0;
   std::array<unsigned, most_textures> textures_{};
 };

@@ -9,13 +9,13 @@
 #include "hardware/channel_resolver.h"
 #include "hardware/context.h"
 #include "hardware/environment_maps.h"
+#include "hardware/framebuffer.h"
 #include "hardware/geometry_buffer.h"
 #include "hardware/least_recent.h"
 #include "hardware/mesh_buffers.h"
 #include "hardware/program.h"
 #include "hardware/sample_reader.h"
 #include "hardware/shadow_maps.h"
-#include "hardware/target.h"
 #include "hardware/texture_store.h"
 
 namespace ps::hardware {
@@ -51,11 +51,11 @@ struct Workshop {
   std::map<std::string, KeptProgram> programs;  ///< by their definitions
   std::uint64_t clock = 0;                      ///< counts uses of programs
   std::uint64_t last_picture = 0;               ///< its value before that
-  std::unique_ptr<Target> target;               ///< of the last picture
+  std::unique_ptr<Framebuffer> target;          ///< of the last picture
   std::unique_ptr<GeometryBuffer> geometry;     ///< of the last picture with deferred shading
-  std::unique_ptr<Target> story_picture;        ///< the same of the last story of a pixel
+  std::unique_ptr<Framebuffer> story_picture;   ///< the same of the last story of a pixel
   std::unique_ptr<GeometryBuffer> story_geometry;
-  std::unique_ptr<Target> story;                ///< what fragments report of themselves in it
+  std::unique_ptr<Framebuffer> story;           ///< what fragments report of themselves in it
   std::unique_ptr<SampleReader> sample_reader;  ///< this and the rest made when first needed
   std::unique_ptr<ChannelResolver> channel_resolver;
   unsigned vertex_array = 0, lights = 0;

@@ -32,8 +32,8 @@ PictureDrawer::~PictureDrawer() {
   glDeleteQueries(1, &query_);
 }
 
-TargetShape PictureDrawer::target_shape() const {
-  TargetShape shape;
+FramebufferShape PictureDrawer::framebuffer_shape() const {
+  FramebufferShape shape;
   shape.width = plan_.viewport.columns;
   shape.height = plan_.viewport.rows;
   shape.stencil = draw_passes(plan_).size() > 1;
@@ -45,10 +45,10 @@ TargetShape PictureDrawer::target_shape() const {
 }
 
 void PictureDrawer::upload() {
-  if (!shop_.target || shop_.target->shape() != target_shape()) {
+  if (!shop_.target || shop_.target->shape() != framebuffer_shape()) {
     shop_.geometry.reset();  // shares the target's depth buffer
     shop_.target.reset();
-    shop_.target = std::make_unique<Target>(target_shape());
+    shop_.target = std::make_unique<Framebuffer>(framebuffer_shape());
   }
   if (plan_.defers && !shop_.geometry) shop_.geometry = std::make_unique<GeometryBuffer>(*shop_.target);
   if (shop_.vertex_array == 0) glGenVertexArrays(1, &shop_.vertex_array);

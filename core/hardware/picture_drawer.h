@@ -82,7 +82,7 @@ class PictureDrawer {
   Program& program_of(const raster::Surface<float>& surface);
   Program& program_of(const char* vertex_file, const char* fragment_file, const std::string& definitions,
                       std::span<const char* const> captured = {});
-  TargetShape target_shape() const;
+  FramebufferShape framebuffer_shape() const;
 
   const PicturePlan& plan_;
   Workshop& shop_;

@@ -202,7 +202,7 @@ void PictureDrawer::draw_pass(const DrawPass& pass) {
 }
 
 void PictureDrawer::resolve_channels() {
-  const TargetShape& shape = shop_.target->shape();
+  const FramebufferShape& shape = shop_.target->shape();
   if (shape.samples == 1 || !shape.channels) return;
   if (!shop_.channel_resolver) shop_.channel_resolver = std::make_unique<ChannelResolver>();
   for (GLuint place = 0; place < stream_count; ++place) glDisableVertexAttribArray(place);

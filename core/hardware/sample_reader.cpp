@@ -62,7 +62,7 @@ SampleReader::~SampleReader() {
   glDeleteQueries(1, &query_);
 }
 
-std::optional<std::vector<float>> SampleReader::depths(const Target& target, Vec2i pixel) {
+std::optional<std::vector<float>> SampleReader::depths(const Framebuffer& target, Vec2i pixel) {
   const auto texture = target.depth_samples();
   if (!texture) return {};
   const KeptState kept;
@@ -91,7 +91,7 @@ std::optional<std::vector<float>> SampleReader::depths(const Target& target, Vec
 }
 
 // The viewport is the pixel itself, so that no sample of a neighbour is counted.
-std::vector<int> SampleReader::stencils(const Target& target, Vec2i pixel) {
+std::vector<int> SampleReader::stencils(const Framebuffer& target, Vec2i pixel) {
   const KeptState kept;
   target.bind();
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);

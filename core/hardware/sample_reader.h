@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "hardware/framebuffer.h"
 #include "hardware/program.h"
-#include "hardware/target.h"
 
 namespace ps::hardware {
 
@@ -20,9 +20,9 @@ class SampleReader {
   SampleReader& operator=(const SampleReader&) = delete;
 
   /// In the depth buffer, from 0 to 1, by sample. nullopt where the driver has no textures for it.
-  std::optional<std::vector<float>> depths(const Target& target, Vec2i pixel);
+  std::optional<std::vector<float>> depths(const Framebuffer& target, Vec2i pixel);
   /// In the stencil buffer of a target that has one, by sample.
-  std::vector<int> stencils(const Target& target, Vec2i pixel);
+  std::vector<int> stencils(const Framebuffer& target, Vec2i pixel);
 
  private:
   Program program_;

@@ -6,7 +6,7 @@
 #include "base/resources.h"
 #include "frame/empty_frame.h"
 #include "hardware/picture_drawer.h"
-#include "hardware/render_hardware.h"
+#include "hardware/render.h"
 
 namespace ps::hardware {
 namespace {

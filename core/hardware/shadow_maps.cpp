@@ -5,7 +5,7 @@
 
 #include "base/check.h"
 #include "hardware/context.h"
-#include "hardware/render_hardware.h"
+#include "hardware/render.h"
 #include "raster/shadow/draw_maps.h"
 
 namespace ps::hardware {

@@ -27,7 +27,7 @@ StoryDrawer::~StoryDrawer() {
 
 void StoryDrawer::report(PixelStory& story) {
   upload();
-  TargetShape shape = target_shape();
+  FramebufferShape shape = framebuffer_shape();
   shape.channels = false;
   if (samples() == 1) {
     shape.depth = DepthStore::float32;  // not asked for
@@ -35,7 +35,7 @@ void StoryDrawer::report(PixelStory& story) {
   }
   if (!shop_.story || shop_.story->shape() != shape) {
     shop_.story.reset();
-    shop_.story = std::make_unique<Target>(shape);
+    shop_.story = std::make_unique<Framebuffer>(shape);
   }
   set_state();
   if (samples() > 1) guard_neighbours();

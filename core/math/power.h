@@ -21,13 +21,13 @@ inline constexpr double ln2 = 0.69314718055994531;
 inline constexpr std::int64_t sqrt_half_bits = 0x3fe6a09e667f3bcd;
 inline constexpr double round_to_integer = 6755399441055744.0;  ///< 1.5 * 2^52: adding it leaves no bits for fractions
 
-struct Split {
+struct FloatParts {
   double mantissa;  ///< in [sqrt(1/2), sqrt(2))
   double exponent;  ///< a whole number
 };
 
 /// x = mantissa * 2^exponent, for normal positive x.
-inline Split split(double x) {
+inline FloatParts split(double x) {
   const auto bits = std::bit_cast<std::int64_t>(x);
   const std::int64_t exponent = (bits - sqrt_half_bits) >> 52;
   return {std::bit_cast<double>(bits - (exponent << 52)), static_cast<double>(exponent)};
@@ -38,7 +38,7 @@ inline double power_of_two(double n) { return std::bit_cast<double>((static_cast
 
 /// For float: everything in double, with just enough terms. The result is off by little more than the last rounding.
 inline float power_positive(float x, float y) {
-  const Split parts = split(static_cast<double>(x));
+  const FloatParts parts = split(static_cast<double>(x));
   const double s = (parts.mantissa - 1.0) / (parts.mantissa + 1.0);
   const double z = s * s;
   double series = 1.0 / 15.0;
@@ -71,7 +71,7 @@ inline float power_positive(float x, float y) {
 /// For double: the logarithm in twice the precision, since y multiplies its error.
 inline DoubleDouble log2_positive(double x) {
   const bool subnormal = x < std::numeric_limits<double>::min();
-  const Split parts = split(subnormal ? x * 0x1p54 : x);
+  const FloatParts parts = split(subnormal ? x * 0x1p54 : x);
   const double exponent = subnormal ? parts.exponent - 54.0 : parts.exponent;
   const double f = parts.mantissa - 1.0;  // exact
   const DoubleDouble g = exact_sum(parts.mantissa, 1.0);

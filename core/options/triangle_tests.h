@@ -7,7 +7,7 @@
 namespace ps {
 
 /// The intersection tests of a ray and a triangle. A new one is an enumerator and a row here, its function in
-/// a file of core/raytrace/clear, and its case in raytrace/clear/triangle_tests.h.
+/// a file of core/raytrace/clear, and its case in raytrace/clear/triangle_query.h.
 enum class TriangleTest { watertight, moeller_trumbore, barycentric, cross_products };
 
 /// The tests of which there are SIMD kernels (raytrace/fast/wide_triangles-inl.h, raytrace/fast/wide_packet.cpp).

@@ -37,42 +37,42 @@ std::shared_ptr<const EnvironmentMaps> environment_maps(const Scene& scene, cons
 }
 
 template <class Real>
-void add_maps(Pass<Real>& pass, const Scene& scene, const View& view, const TileRect& rect, StencilNotes notes,
-              Prepared& prepared, const ParallelOptions& parallel, Progress& progress) {
-  if (uses_shadow_maps(pass.settings, scene))
-    pass.shadow_maps = shadow_maps(scene, pass.settings, prepared, parallel.priority, progress);
-  else if (uses_stencil(pass.settings, scene))
-    pass.stencil = std::make_shared<const Stencil>(
-        make_stencil(scene, view, pass.settings, rect, notes, prepared, parallel, progress));
-  if (uses_environment(pass.settings, scene))
-    pass.environment = environment_maps(scene, pass.settings, prepared, parallel.priority, progress);
+void add_maps(RasterInputs<Real>& inputs, const Scene& scene, const View& view, const TileRect& rect,
+              StencilNotes notes, Prepared& prepared, const ParallelOptions& parallel, Progress& progress) {
+  if (uses_shadow_maps(inputs.settings, scene))
+    inputs.shadow_maps = shadow_maps(scene, inputs.settings, prepared, parallel.priority, progress);
+  else if (uses_stencil(inputs.settings, scene))
+    inputs.stencil = std::make_shared<const Stencil>(
+        make_stencil(scene, view, inputs.settings, rect, notes, prepared, parallel, progress));
+  if (uses_environment(inputs.settings, scene))
+    inputs.environment = environment_maps(scene, inputs.settings, prepared, parallel.priority, progress);
 }
 
-template void add_maps(Pass<float>&, const Scene&, const View&, const TileRect&, StencilNotes, Prepared&,
+template void add_maps(RasterInputs<float>&, const Scene&, const View&, const TileRect&, StencilNotes, Prepared&,
                        const ParallelOptions&, Progress&);
-template void add_maps(Pass<double>&, const Scene&, const View&, const TileRect&, StencilNotes, Prepared&,
+template void add_maps(RasterInputs<double>&, const Scene&, const View&, const TileRect&, StencilNotes, Prepared&,
                        const ParallelOptions&, Progress&);
 
 template <class Real>
-void store_map_pictures(const Pass<Real>& pass, Frame& frame) {
-  if (pass.shadow_maps && !frame.shadow_map.empty()) lay_out_maps(*pass.shadow_maps, frame.shadow_map);
-  if (pass.environment && !frame.environment.empty()) {
+void store_map_pictures(const RasterInputs<Real>& inputs, Frame& frame) {
+  if (inputs.shadow_maps && !frame.shadow_map.empty()) lay_out_maps(*inputs.shadow_maps, frame.shadow_map);
+  if (inputs.environment && !frame.environment.empty()) {
     const auto first =
-        std::find_if(pass.environment->begin(), pass.environment->end(), [](const auto& m) { return m; });
-    if (first != pass.environment->end()) lay_out_environment(**first, frame.environment);
+        std::find_if(inputs.environment->begin(), inputs.environment->end(), [](const auto& m) { return m; });
+    if (first != inputs.environment->end()) lay_out_environment(**first, frame.environment);
   }
-  if (!pass.stencil) return;
-  frame.counters += pass.stencil->counters;
+  if (!inputs.stencil) return;
+  frame.counters += inputs.stencil->counters;
   if (frame.stencil.empty()) return;
-  for (std::size_t light = 0; light < pass.stencil->counts.size(); ++light) {
-    const int shown = pass.settings.light_shown;
+  for (std::size_t light = 0; light < inputs.stencil->counts.size(); ++light) {
+    const int shown = inputs.settings.light_shown;
     if (shown != all_lights && static_cast<int>(light) != shown) continue;
-    const Image<std::int32_t>& counts = pass.stencil->counts[light];
+    const Image<std::int32_t>& counts = inputs.stencil->counts[light];
     for (std::size_t i = 0; i < counts.pixels().size(); ++i) frame.stencil.pixels()[i] += counts.pixels()[i];
   }
 }
 
-template void store_map_pictures(const Pass<float>&, Frame&);
-template void store_map_pictures(const Pass<double>&, Frame&);
+template void store_map_pictures(const RasterInputs<float>&, Frame&);
+template void store_map_pictures(const RasterInputs<double>&, Frame&);
 
 }  // namespace ps::raster

@@ -1,5 +1,5 @@
 #pragma once
-#include "raster/base/pass.h"
+#include "raster/base/raster_inputs.h"
 #include "raster/environment/environment_map.h"
 #include "raster/shadow/shadow_map.h"
 #include "raster/shadow/stencil.h"
@@ -23,11 +23,11 @@ std::shared_ptr<const EnvironmentMaps> environment_maps(const Scene& scene, cons
 
 /// Makes the shadow maps, stencil buffers (for the pixels of `rect`) and environment maps that the settings ask for.
 template <class Real>
-void add_maps(Pass<Real>& pass, const Scene& scene, const View& view, const TileRect& rect, StencilNotes notes,
-              Prepared& prepared, const ParallelOptions& parallel, Progress& progress);
+void add_maps(RasterInputs<Real>& inputs, const Scene& scene, const View& view, const TileRect& rect,
+              StencilNotes notes, Prepared& prepared, const ParallelOptions& parallel, Progress& progress);
 
 /// Fills the channels that show maps and stencil buffers, and counts what those took.
 template <class Real>
-void store_map_pictures(const Pass<Real>& pass, Frame& frame);
+void store_map_pictures(const RasterInputs<Real>& inputs, Frame& frame);
 
 }  // namespace ps::raster

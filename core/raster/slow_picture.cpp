@@ -14,9 +14,10 @@ namespace ps::raster {
 namespace {
 
 template <class Real>
-std::uint32_t sequence_of(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry, const PrimitiveRef& ref) {
+std::uint32_t sequence_of(const RasterInputs<Real>& inputs, const ScreenGeometry<Real>& geometry,
+                          const PrimitiveRef& ref) {
   const Batch<Real>& batch = geometry.batches[ref.batch];
-  return pass.settings.draw == Draw::filled ? batch.triangles[ref.index].sequence : batch.lines[ref.index].sequence;
+  return inputs.settings.draw == Draw::filled ? batch.triangles[ref.index].sequence : batch.lines[ref.index].sequence;
 }
 
 }  // namespace
@@ -37,23 +38,23 @@ template <class Real>
 SlowPicture<Real>::SlowPicture(const Scene& scene, const View& view, const Settings& settings,
                                const RenderRequest& request, Prepared& prepared, Progress& progress)
     : scene_(scene), view_(view), request_(request), progress_(progress), parallel_{settings.threads, request.priority},
-      pass_(make_pass<Real>(scene, view, settings, request.channels, prepared)) {
-  pass_.path = {Machinery::clear, SurfaceShading::single, "slow motion shows the clear path"};
-  add_maps(pass_, scene, view, {0, 0, view.width, view.height}, StencilNotes::none, prepared, parallel_, progress);
-  geometry_ = make_geometry(pass_, {}, parallel_, progress);
-  order_ = drawing_order(pass_, geometry_);
+      inputs_(make_raster_inputs<Real>(scene, view, settings, request.channels, prepared)) {
+  inputs_.path = {Machinery::clear, SurfaceShading::single, "slow motion shows the clear path"};
+  add_maps(inputs_, scene, view, {0, 0, view.width, view.height}, StencilNotes::none, prepared, parallel_, progress);
+  geometry_ = make_geometry(inputs_, {}, parallel_, progress);
+  order_ = drawing_order(inputs_, geometry_);
   for (std::size_t i = 0; i < order_.size(); ++i)
     if (i + 1 == order_.size() ||
-        sequence_of(pass_, geometry_, order_[i]) != sequence_of(pass_, geometry_, order_[i + 1]))
+        sequence_of(inputs_, geometry_, order_[i]) != sequence_of(inputs_, geometry_, order_[i + 1]))
       ends_.push_back(i + 1);
-  steps_ = draw_steps(pass_.settings, pass_.lights.size());
+  steps_ = draw_steps(inputs_.settings, inputs_.lights.size());
 }
 
 template <class Real>
 typename SlowPicture<Real>::Progressed SlowPicture<Real>::progressed(std::uint64_t at) const {
   Progressed p;
   const std::uint64_t each = ends_.size(), walks = each * steps_.size();
-  const std::uint64_t shading = defers_shading(pass_.settings) && each > 0 ? 1 : 0;
+  const std::uint64_t shading = defers_shading(inputs_.settings) && each > 0 ? 1 : 0;
   p.total = walks + shading + scene_.canvas_items->size();
   const std::uint64_t done = std::min(at, p.total);
   p.done = {SlowUnit::triangles, done};
@@ -62,7 +63,7 @@ typename SlowPicture<Real>::Progressed SlowPicture<Real>::progressed(std::uint64
   p.winners = done >= walks + shading;
   if (done > walks + shading) p.items = static_cast<std::size_t>(done - walks - shading);
   const auto bins = [&](std::size_t count) {
-    return bin_primitives<Real>(pass_, geometry_, std::span(order_).first(count), clear_tile_size, parallel_,
+    return bin_primitives<Real>(inputs_, geometry_, std::span(order_).first(count), clear_tile_size, parallel_,
                                 progress_);
   };
   if (p.full_steps > 0) p.all = bins(order_.size());
@@ -84,11 +85,11 @@ void SlowPicture<Real>::draw_tile(const TileRect& tile, std::size_t index, const
     void winners() {
       if (done.winners) ClearSink<Real, CountingRecorder>::winners();
     }
-    void canvas() { draw_canvas_items(this->pass, this->target, this->recorder, done.items); }
+    void canvas() { draw_canvas_items(this->inputs, this->target, this->recorder, done.items); }
   };
   CountingRecorder recorder;
-  Target<Real> target(frame, tile, pass_.settings, request_.channels);
-  walk_fragments(pass_, target, UpToHere{{pass_, geometry_, target, recorder}, done, index});
+  Target<Real> target(frame, tile, inputs_.settings, request_.channels);
+  walk_fragments(inputs_, target, UpToHere{{inputs_, geometry_, target, recorder}, done, index});
   recorder.count(Counter::nan_pixels, target.count_nan_pixels());
   counters = recorder.counters;
 }
@@ -100,7 +101,7 @@ SlowFrame SlowPicture<Real>::after_triangles(std::uint64_t at) {
   slow.state.done = done.done;
   slow.state.total = done.total;
   note_last(done, slow.state);
-  slow.frame = make_frame(scene_, view_, pass_.settings, request_.channels);
+  slow.frame = make_frame(scene_, view_, inputs_.settings, request_.channels);
   const std::vector<TileRect> tiles = make_tiles(view_.width, view_.height, clear_tile_size);
   const TileRect region = asked_region(request_, view_.width, view_.height);
   std::vector<Counters> counters(tiles.size());
@@ -108,8 +109,8 @@ SlowFrame SlowPicture<Real>::after_triangles(std::uint64_t at) {
     const auto i = static_cast<std::size_t>(index);
     if (!is_empty(common_part(tiles[i], region))) draw_tile(tiles[i], i, done, slow.frame, counters[i]);
   });
-  slow.frame.path = pass_.path;
-  store_map_pictures(pass_, slow.frame);
+  slow.frame.path = inputs_.path;
+  store_map_pictures(inputs_, slow.frame);
   for (const Counters& tile : counters) slow.frame.counters += tile;
   slow.frame.counters += geometry_.counters;
   if (request_.region) clear_outside(region, slow.frame);
@@ -122,7 +123,7 @@ SlowFrame SlowPicture<Real>::after_fragments(std::uint64_t at, const Frame& whol
   const std::optional<std::uint64_t> fragments = whole.counters.get(Counter::fragments);
   slow.state.total = fragments.value_or(0);
   slow.state.done = {SlowUnit::fragments, std::min(at, slow.state.total)};
-  slow.frame = make_frame(scene_, view_, pass_.settings, request_.channels);
+  slow.frame = make_frame(scene_, view_, inputs_.settings, request_.channels);
   struct UntilTheNext : ClearSink<Real, SteppingRecorder> {
     const SlowPicture& picture;
     SlowFrame& slow;
@@ -138,18 +139,18 @@ SlowFrame SlowPicture<Real>::after_fragments(std::uint64_t at, const Frame& whol
     }
     void winners() {  // without a stop: these fragments were counted when they were found
       CountingRecorder shading;
-      shade_winners(this->pass, this->geometry, this->target, shading);
+      shade_winners(this->inputs, this->geometry, this->target, shading);
       slow.frame.counters += shading.counters;
     }
   };
   SteppingRecorder recorder(slow.state.done.at);
-  Target<Real> target(slow.frame, {0, 0, view_.width, view_.height}, pass_.settings, request_.channels);
+  Target<Real> target(slow.frame, {0, 0, view_.width, view_.height}, inputs_.settings, request_.channels);
   try {
-    walk_fragments(pass_, target, UntilTheNext{{pass_, geometry_, target, recorder}, *this, slow});
+    walk_fragments(inputs_, target, UntilTheNext{{inputs_, geometry_, target, recorder}, *this, slow});
   } catch (const StepReached&) {
   }
-  slow.frame.path = pass_.path;
-  store_map_pictures(pass_, slow.frame);
+  slow.frame.path = inputs_.path;
+  store_map_pictures(inputs_, slow.frame);
   slow.frame.counters += recorder.counters;
   slow.frame.counters += geometry_.counters;
   if (const auto& last = recorder.last()) {
@@ -157,7 +158,7 @@ SlowFrame SlowPicture<Real>::after_fragments(std::uint64_t at, const Frame& whol
     slow.state.outline.push_back(last->corners);
     Vec2d place(0);
     for (std::size_t k = 0; k < 3; ++k) place += last->corners[k] * last->weights_2d[k];
-    const Vec2d column_row = place - pass_.viewport.sample;
+    const Vec2d column_row = place - inputs_.viewport.sample;
     slow.state.pixel = Vec2i(static_cast<int>(std::lround(column_row.x)), static_cast<int>(std::lround(column_row.y)));
   }
   if (request_.region) clear_outside(asked_region(request_, view_.width, view_.height), slow.frame);
@@ -177,7 +178,7 @@ void SlowPicture<Real>::note_last(const Progressed& done, SlowState& state) cons
     return;
   }
   const std::size_t last = static_cast<std::size_t>(done.done.at) - 1;
-  if (steps_.size() > 1 || defers_shading(pass_.settings)) state.stage = stage_name(last / each);
+  if (steps_.size() > 1 || defers_shading(inputs_.settings)) state.stage = stage_name(last / each);
   const std::size_t begin = last % each == 0 ? 0 : ends_[last % each - 1];
   for (std::size_t i = begin; i < ends_[last % each]; ++i) note_triangle(order_[i], state);
 }
@@ -185,15 +186,15 @@ void SlowPicture<Real>::note_last(const Progressed& done, SlowState& state) cons
 template <class Real>
 void SlowPicture<Real>::note_triangle(const PrimitiveRef& ref, SlowState& state) const {
   const Batch<Real>& batch = geometry_.batches[ref.batch];
-  if (pass_.settings.draw != Draw::filled) {
+  if (inputs_.settings.draw != Draw::filled) {
     const ScreenLine<Real>& line = batch.lines[ref.index];
-    state.id = {pass_.surfaces[line.surface].object, line.triangle};
+    state.id = {inputs_.surfaces[line.surface].object, line.triangle};
     state.box = line.box;
     return;
   }
   const ScreenTriangle<Real>& triangle = batch.triangles[ref.index];
-  state.id = {pass_.surfaces[triangle.surface].object, triangle.triangle};
-  const double unit = static_cast<double>(fixed_unit(pass_.grid.subpixel_bits));
+  state.id = {inputs_.surfaces[triangle.surface].object, triangle.triangle};
+  const double unit = static_cast<double>(fixed_unit(inputs_.grid.subpixel_bits));
   std::array<Vec2d, 3> corners;
   for (std::size_t k = 0; k < 3; ++k) corners[k] = {triangle.corners[k].x / unit, triangle.corners[k].y / unit};
   state.outline.push_back(corners);

@@ -1,7 +1,7 @@
 #pragma once
 #include "frame/slow_motion.h"
 #include "raster/assembly/bins.h"
-#include "raster/base/pass.h"
+#include "raster/base/raster_inputs.h"
 #include "raster/setup/draw_stage.h"
 
 namespace ps::raster {
@@ -32,7 +32,7 @@ class SlowPicture {
   const RenderRequest& request_;
   Progress& progress_;
   ParallelOptions parallel_;
-  Pass<Real> pass_;
+  RasterInputs<Real> inputs_;
   ScreenGeometry<Real> geometry_;
   std::vector<PrimitiveRef> order_;
   std::vector<std::size_t> ends_;  // of each whole triangle's pieces in order_

@@ -9,7 +9,7 @@
 #include "raster/setup/depth_format.h"
 #include "raytrace/base/eye_ray.h"
 #include "raytrace/clear/intersector.h"
-#include "raytrace/clear/surface.h"
+#include "raytrace/clear/surface_point.h"
 #include "render/precision_channels.h"
 
 namespace ps {
@@ -71,7 +71,7 @@ class GapFinder {
     for (int i = 0; i < most_culled; ++i) {
       const Hit<double> hit = intersector.nearest(ray);
       if (!hit.found()) return {};
-      const Surface<double> surface = surface_of(ray, hit, inputs_);
+      const SurfacePoint<double> surface = surface_of(ray, hit, inputs_);
       const bool closed = primitive_of(*inputs_.geometry, hit.primitive).kind != PrimitiveKind::solid;
       if (!culls_ || !closed || !surface.back_face) return hit;
       ray.t_min = hit.t;

@@ -95,10 +95,10 @@ TEST(CoverageDivisions, ACoveredSampleDividesOnceForPerspective) {
   TriangleSetup<Counted> setup;
   setup.triangle = &triangle;
   setup.inverse_area = 0.25;
-  const Pass<Counted> pass;
-  ASSERT_TRUE(pass.perspective());
+  const RasterInputs<Counted> inputs;
+  ASSERT_TRUE(inputs.perspective());
   divisions = 0;
-  const Fragment<Counted> fragment = make_fragment(pass, setup, 0, 0, {2, 1, 1});
+  const Fragment<Counted> fragment = make_fragment(inputs, setup, 0, 0, {2, 1, 1});
   EXPECT_EQ(divisions, 1);
   EXPECT_EQ(fragment.z.value, 1 / 0.375);
 }

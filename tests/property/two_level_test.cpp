@@ -9,7 +9,7 @@
 
 #include "options/scene_settings.h"
 #include "raytrace/clear/intersector.h"
-#include "raytrace/clear/surface.h"
+#include "raytrace/clear/surface_point.h"
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/closed_sphere.h"

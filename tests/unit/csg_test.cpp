@@ -96,7 +96,7 @@ TEST(Csg, SurfacesBoundExactlyWhatTheDefinitionSays) {
           ++stretches;
         }
       if (!hit.found()) break;
-      const Surface<double> surface = surface_of(ray, hit, inputs);
+      const SurfacePoint<double> surface = surface_of(ray, hit, inputs);
       if (end > 1e-6) {
         EXPECT_TRUE(inside(root, surface.point - surface.geometric_normal * 1e-9)) << i;
         EXPECT_FALSE(inside(root, surface.point + surface.geometric_normal * 1e-9)) << i;
@@ -124,7 +124,7 @@ TEST(Csg, FacesThatCoincideLeaveNoSkin) {
   const Hit<float> hit = Intersector<float, Silent>(inputs, silent).nearest(ray);
   ASSERT_TRUE(hit.found());
   EXPECT_FLOAT_EQ(hit.t, 5);  // the bottom of the hole
-  const Surface<float> surface = surface_of(ray, hit, inputs);
+  const SurfacePoint<float> surface = surface_of(ray, hit, inputs);
   EXPECT_EQ(surface.geometric_normal, Vec3f(0, 0, -1)) << "the hole's far face is turned around";
 }
 

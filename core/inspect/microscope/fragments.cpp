@@ -36,17 +36,18 @@ class FragmentsIn final : public Microscope::Fragments {
   FragmentsIn(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel, Prepared& prepared,
               Progress& progress)
       : working_(scene, view, settings, prepared),
-        pass_(make_pass<Real>(working_.scene(), working_.view(), working_.settings(), Channel::none, prepared)),
+        inputs_(
+            make_raster_inputs<Real>(working_.scene(), working_.view(), working_.settings(), Channel::none, prepared)),
         pixel_(pixel) {
     find_canvas_triangles(*scene.canvas_items);
     if (settings.draw == Draw::filled)
-      replay_.emplace(pass_, pixel, ParallelOptions{settings.threads, {}}, progress,
+      replay_.emplace(inputs_, pixel, ParallelOptions{settings.threads, {}}, progress,
                       [this](const ScreenTriangle<Real>& triangle) { return is_near(triangle.corners); });
   }
 
   MicroReading read(const Vec2d& point) const override {
-    const auto unit = static_cast<double>(fixed_unit(pass_.grid.subpixel_bits));
-    CoverageGrid grid = pass_.grid;
+    const auto unit = static_cast<double>(fixed_unit(inputs_.grid.subpixel_bits));
+    CoverageGrid grid = inputs_.grid;
     grid.samples = 1;
     grid.sample = {std::round(point.x * unit) / unit, std::round(point.y * unit) / unit};
     return read(grid);
@@ -54,21 +55,21 @@ class FragmentsIn final : public Microscope::Fragments {
 
   std::vector<MicroSample> samples() const override {
     std::vector<MicroSample> samples;
-    if (pass_.grid.samples == 1) {
-      const MicroReading reading = read(pass_.grid);
-      samples.push_back({pass_.grid.sample, reading.seen != background, reading.seen, -1});
+    if (inputs_.grid.samples == 1) {
+      const MicroReading reading = read(inputs_.grid);
+      samples.push_back({inputs_.grid.sample, reading.seen != background, reading.seen, -1});
       return samples;
     }
-    const auto pattern = sample_pattern(pass_.grid.samples);
+    const auto pattern = sample_pattern(inputs_.grid.samples);
     const std::vector<int> shown = replay_ ? replay_->shown() : std::vector<int>(pattern.size(), -1);
     for (std::size_t i = 0; i < pattern.size(); ++i) {
       std::string name = shown[i] < 0 ? background : name_of(replay_->set_up(shown[i]));
-      CoverageGrid grid = pass_.grid;
+      CoverageGrid grid = inputs_.grid;
       grid.samples = 1;
       for (const NearCanvasTriangle& near : on_canvas_)
         if (const MicroTriangle measured = measure(near, grid); near.rows.value_or(measured.covered))
           name = measured.name;
-      samples.push_back({place_in_pixel(pattern[i], pass_.grid.sample), name != background, name, -1});
+      samples.push_back({place_in_pixel(pattern[i], inputs_.grid.sample), name != background, name, -1});
     }
     return samples;
   }
@@ -91,22 +92,22 @@ class FragmentsIn final : public Microscope::Fragments {
     NearCanvasTriangle near{{}, number, rows};
     bool in_reach = triangle.filled;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vec2<Real> at(static_cast<Real>(triangle.points[k].x) + pass_.projection.centre.x,
-                          pass_.projection.centre.y - static_cast<Real>(triangle.points[k].y));
+      const Vec2<Real> at(static_cast<Real>(triangle.points[k].x) + inputs_.projection.centre.x,
+                          inputs_.projection.centre.y - static_cast<Real>(triangle.points[k].y));
       in_reach = in_reach && std::max(std::abs(at.x), std::abs(at.y)) < static_cast<Real>(guard_band);
-      if (in_reach) near.corners[k] = to_fixed(at, pass_.grid.subpixel_bits);
+      if (in_reach) near.corners[k] = to_fixed(at, inputs_.grid.subpixel_bits);
     }
-    if (in_reach && is_near(near.corners) && make_edges(near.corners, pass_.grid)) on_canvas_.push_back(near);
+    if (in_reach && is_near(near.corners) && make_edges(near.corners, inputs_.grid)) on_canvas_.push_back(near);
   }
   /// Whether the rows of a shape hold the pixel; nullopt if shapes are not filled by rows.
   std::optional<bool> rows_hold_pixel(const CanvasItem& item) const {
-    if (pass_.settings.canvas_fill != CanvasFill::rows) return {};
-    const Vec2i size{pass_.viewport.columns, pass_.viewport.rows};
+    if (inputs_.settings.canvas_fill != CanvasFill::rows) return {};
+    const Vec2i size{inputs_.viewport.columns, inputs_.viewport.rows};
     std::vector<Vec2i> vertices;
     if (const auto* triangle = std::get_if<CanvasTriangle>(&item))
-      vertices = canvas_outline(*triangle, size, pass_.settings.sample_position).pixels;
+      vertices = canvas_outline(*triangle, size, inputs_.settings.sample_position).pixels;
     if (const auto* polygon = std::get_if<CanvasPolygon>(&item))
-      vertices = canvas_outline(*polygon, size, pass_.settings.sample_position).pixels;
+      vertices = canvas_outline(*polygon, size, inputs_.settings.sample_position).pixels;
     const auto rows = polygon_rows(vertices, {pixel_.y, pixel_.y});
     return !rows.empty() && pixel_.x >= rows.front().left.x && pixel_.x <= rows.front().right.x;
   }
@@ -120,14 +121,14 @@ class FragmentsIn final : public Microscope::Fragments {
       high = {std::max(high.x, at.x), std::max(high.y, at.y)};
     }
     // Sub-samples lie up to half a pixel around the sample, which may be the pixel's corner.
-    const double reach = pass_.grid.samples > 1 ? 0.5 : 0;
-    const Vec2d &at = pass_.grid.sample,
+    const double reach = inputs_.grid.samples > 1 ? 0.5 : 0;
+    const Vec2d &at = inputs_.grid.sample,
                 first{std::min(-micro_margin, at.x - reach), std::min(-micro_margin, at.y - reach)};
     const Vec2d last{std::max(1 + micro_margin, at.x + reach), std::max(1 + micro_margin, at.y + reach)};
     return low.x <= last.x && low.y <= last.y && high.x >= first.x && high.y >= first.y;
   }
   Vec2d in_pixel(const FixedPoint& point) const {
-    return canvas_pixels(point, pass_.grid.subpixel_bits) - Vec2d(pixel_);
+    return canvas_pixels(point, inputs_.grid.subpixel_bits) - Vec2d(pixel_);
   }
 
   MicroReading read(const CoverageGrid& grid) const {
@@ -141,7 +142,7 @@ class FragmentsIn final : public Microscope::Fragments {
     }
     for (const NearCanvasTriangle& near : on_canvas_) {
       MicroTriangle measured = measure(near, grid);
-      if (near.rows && grid.sample == pass_.grid.sample) measured.covered = *near.rows;
+      if (near.rows && grid.sample == inputs_.grid.sample) measured.covered = *near.rows;
       if (measured.covered) reading.front = static_cast<int>(reading.triangles.size());  // over all before
       reading.triangles.push_back(std::move(measured));
     }
@@ -154,7 +155,7 @@ class FragmentsIn final : public Microscope::Fragments {
   }
 
   std::string name_of(const TriangleSetup<Real>& setup) const {
-    const std::string name = primitive_name(*pass_.scene, event_id(setup));
+    const std::string name = primitive_name(*inputs_.scene, event_id(setup));
     return setup.surface->sphere ? name + ", its triangle " + std::to_string(setup.triangle->triangle) : name;
   }
 
@@ -162,7 +163,7 @@ class FragmentsIn final : public Microscope::Fragments {
     const TriangleSetup<Real>& setup = replayed.setup;
     const Fragment<Real>& fragment = replayed.fragment;
     const auto values = setup.edges.at(pixel_.x, pixel_.y);
-    const auto weights = space_weights(pass_, setup, fragment);
+    const auto weights = space_weights(inputs_, setup, fragment);
     ps::MicroTriangle out;
     out.id = event_id(setup);
     out.name = name_of(setup);
@@ -185,7 +186,7 @@ class FragmentsIn final : public Microscope::Fragments {
     out.uv = out.uv_2d = Vec2d(0);
     for (std::size_t i = 0; i < 3; ++i) {
       const Real* a = setup.attributes + i * static_cast<std::size_t>(setup.surface->layout.count) + slot;
-      const double back = pass_.divides() ? static_cast<double>(setup.triangle->z[i]) : 1.0;
+      const double back = inputs_.divides() ? static_cast<double>(setup.triangle->z[i]) : 1.0;
       const Vec2d corner = Vec2d(static_cast<double>(a[0]), static_cast<double>(a[1])) * back;
       *out.uv += out.weights[i] * corner;
       *out.uv_2d += out.weights_2d[i] * corner;
@@ -217,25 +218,25 @@ class FragmentsIn final : public Microscope::Fragments {
     const Fragment<Real>& fragment = replayed.fragment;
     const Surface<Real>& surface = *setup.surface;
     const int index = surface.material.texture;
-    if (surface.layout.uv == AttributeLayout::absent || !pass_.settings.textures || index < 0) return {};
-    const Vec2<Real> uv{interpolate(pass_, setup, fragment, surface.layout.uv),
-                        interpolate(pass_, setup, fragment, surface.layout.uv + 1)};
+    if (surface.layout.uv == AttributeLayout::absent || !inputs_.settings.textures || index < 0) return {};
+    const Vec2<Real> uv{interpolate(inputs_, setup, fragment, surface.layout.uv),
+                        interpolate(inputs_, setup, fragment, surface.layout.uv + 1)};
     TexturePlace<Real> place{uv, uv};
     if (surface.layout.relief) {
       Silent silent;  // the microscope shows the colour's texels, not the relief's
-      place.uv = relief_uv(pass_, setup, fragment, uv, shading_normal(pass_, setup, fragment), silent);
+      place.uv = relief_uv(inputs_, setup, fragment, uv, shading_normal(inputs_, setup, fragment), silent);
     }
     PixelRecorder recorder(pixel_);
-    read_texture(pass_, setup, fragment, index, place, recorder);
+    read_texture(inputs_, setup, fragment, index, place, recorder);
     const std::vector<Event> events = recorder.take();
-    const MipChain& chain = (*pass_.textures)[static_cast<std::size_t>(index)];
-    const TextureDerivatives<Real> steps = uv_derivatives(pass_, setup, fragment, uv, *chain.base);
-    return micro_texture(std::get<TextureEvent>(events.front().data), chain, pass_.settings.texture_wrap,
+    const MipChain& chain = (*inputs_.textures)[static_cast<std::size_t>(index)];
+    const TextureDerivatives<Real> steps = uv_derivatives(inputs_, setup, fragment, uv, *chain.base);
+    return micro_texture(std::get<TextureEvent>(events.front().data), chain, inputs_.settings.texture_wrap,
                          std::array{Vec2d(steps.dx), Vec2d(steps.dy)});
   }
 
   const WorkingScene working_;
-  Pass<Real> pass_;
+  RasterInputs<Real> inputs_;
   Vec2i pixel_;
   std::optional<PixelReplay<Real>> replay_;  ///< without, no triangles are filled
   std::vector<NearCanvasTriangle> on_canvas_;

@@ -13,9 +13,9 @@ namespace {
 
 using parting::all_differences;
 using parting::because;
-using parting::Comparison;
 using parting::event_at;
 using parting::ray_and_fragment_differ;
+using parting::StoryPair;
 
 Sighting top_sighting(const PixelStory& story, int eye) {
   return eye >= 0 ? sight_of_ray(story, eye) : sight_of_fragments(story);
@@ -28,7 +28,7 @@ std::vector<int> eye_rays(const PixelStory& story) {
   return rays;
 }
 
-std::optional<Parting> part_at_eye_ray(const Comparison& c, int ray_a, int ray_b) {
+std::optional<Parting> part_at_eye_ray(const StoryPair& c, int ray_a, int ray_b) {
   const auto& a = event_as<RayEvent>(c.a.story.events, ray_a);
   const auto& b = event_as<RayEvent>(c.b.story.events, ray_b);
   if (c.same(a.origin, b.origin) && c.same(a.direction, b.direction)) return std::nullopt;
@@ -40,10 +40,10 @@ std::optional<Parting> part_at_eye_ray(const Comparison& c, int ray_a, int ray_b
                  ray_a, ray_b};
 }
 
-std::optional<Parting> part_at_sighting(const Comparison& c, const Sighting& a, const Sighting& b, int depth);
+std::optional<Parting> part_at_sighting(const StoryPair& c, const Sighting& a, const Sighting& b, int depth);
 
 /// The rays that go on from the surface: one of them missing, or the first difference further on.
-std::optional<Parting> part_at_children(const Comparison& c, const Sighting& a, const Sighting& b,
+std::optional<Parting> part_at_children(const StoryPair& c, const Sighting& a, const Sighting& b,
                                         const std::vector<int>& from_a, const std::vector<int>& from_b,
                                         std::string_view kind, int depth) {
   if (from_a.empty() != from_b.empty()) {
@@ -59,7 +59,7 @@ std::optional<Parting> part_at_children(const Comparison& c, const Sighting& a, 
                           depth + 1);
 }
 
-std::optional<Parting> part_at_sighting(const Comparison& c, const Sighting& a, const Sighting& b, int depth) {
+std::optional<Parting> part_at_sighting(const StoryPair& c, const Sighting& a, const Sighting& b, int depth) {
   if (auto found = part_at_winner(c, a, b)) return found;
   if (a.id.object < 0) return std::nullopt;
   if (auto found = part_at_point(c, a, b)) return found;
@@ -71,7 +71,7 @@ std::optional<Parting> part_at_sighting(const Comparison& c, const Sighting& a, 
 
 int last_event(const StorySide& side) { return static_cast<int>(side.story.events.size()) - 1; }
 
-std::optional<Parting> part_at_display(const Comparison& c) {
+std::optional<Parting> part_at_display(const StoryPair& c) {
   const std::string why = because(c, {"exposure", "gamma", "colour-depth"});
   if (why.empty() || !c.same(c.a.story.linear, c.b.story.linear)) return std::nullopt;
   return Parting{PartingCause::display, "The linear colour is the same; the display settings differ" + why + ".",
@@ -79,7 +79,7 @@ std::optional<Parting> part_at_display(const Comparison& c) {
 }
 
 /// A ray and a fragment that see neighbouring triangles of one model, which differ only in colour.
-std::optional<Parting> part_at_inner_edge(const Comparison& c, const std::vector<int>& rays_a,
+std::optional<Parting> part_at_inner_edge(const StoryPair& c, const std::vector<int>& rays_a,
                                           const std::vector<int>& rays_b) {
   if (!c.two_ways()) return std::nullopt;
   const Sighting a = top_sighting(c.a.story, rays_a.empty() ? -1 : rays_a.front());
@@ -89,7 +89,7 @@ std::optional<Parting> part_at_inner_edge(const Comparison& c, const std::vector
 }
 
 /// Lines and triangles on the canvas: what the pixel got from them.
-std::optional<Parting> part_at_canvas(const Comparison& c) {
+std::optional<Parting> part_at_canvas(const StoryPair& c) {
   const auto drawn = [](const PixelStory& story) {
     std::vector<int> found;
     for (int i = 0; i < static_cast<int>(story.events.size()); ++i) {
@@ -134,7 +134,7 @@ int count_writes(const PixelStory& story) {
 std::string passes_text(int count) { return count == 1 ? "one pass" : fmt::format("{} passes", count); }
 
 /// How two colours came to differ in their last digits.
-std::string rounding_text(const Comparison& c) {
+std::string rounding_text(const StoryPair& c) {
   if (!c.both_rays() && !c.both_fragments())
     return fmt::format(
         "A ends with {} and B with {}: a ray and a fragment meet the surface at slightly different points",
@@ -146,7 +146,7 @@ std::string rounding_text(const Comparison& c) {
 }
 
 /// Nothing but rounding: small at every step, and yet enough to end on another level.
-std::optional<Parting> part_at_last_digits(const Comparison& c) {
+std::optional<Parting> part_at_last_digits(const StoryPair& c) {
   const std::string why = because(c, {"renderer", "precision", "sphere-test", "triangle-test", "self-hit",
                                       "shadow-epsilon", "reflection-epsilon", "epsilon-unit"});
   if (why.empty() || !c.same(c.a.story.linear, c.b.story.linear)) return std::nullopt;
@@ -158,7 +158,7 @@ std::optional<Parting> part_at_last_digits(const Comparison& c) {
 namespace {
 
 /// Both stories, in the steps of renderers.
-Parting find_step(const Comparison& c) {
+Parting find_step(const StoryPair& c) {
   const StorySide &a = c.a, &b = c.b;
   const auto rays_a = eye_rays(a.story), rays_b = eye_rays(b.story);
   const std::size_t samples = std::min(rays_a.size(), rays_b.size());
@@ -214,7 +214,7 @@ Parting first_step(const Scene& scene, const StorySide& a, const StorySide& b) {
   const auto stepped_a = as_stepped(scene, a), stepped_b = as_stepped(scene, b);
   const StorySide side_a = stepped_a ? StorySide{stepped_a->story, stepped_a->settings} : a;
   const StorySide side_b = stepped_b ? StorySide{stepped_b->story, stepped_b->settings} : b;
-  Comparison c{scene, side_a, side_b};
+  StoryPair c{scene, side_a, side_b};
   if (c.with_listing() && explains(c, "sample-position")) {
     // A listing samples the corner, so that nearly all numbers differ a little. Large differences are reported before
     // that.

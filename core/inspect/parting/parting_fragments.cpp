@@ -25,7 +25,7 @@ bool through_an_edge(const std::optional<std::array<double, 3>>& edges) {
 
 /// A listing reports only triangles that reach the pixel: why it lacks the triangle that won in the other story.
 template <class Says>
-Parting left_out_by_listing(const Comparison& c, const Sighting& winner, const StorySide& won, const Says& says,
+Parting left_out_by_listing(const StoryPair& c, const Sighting& winner, const StorySide& won, const Says& says,
                             std::string_view letter) {
   const std::string name = primitive_name(c.scene, winner.id);
   const auto* fragment = event_at<FragmentEvent>(won.story, winner.seen);
@@ -47,8 +47,8 @@ Parting left_out_by_listing(const Comparison& c, const Sighting& winner, const S
 }
 
 /// Why the triangle that won on the side `won` is not what `lost` shows. `letter` names the side that lost it.
-std::optional<Parting> why_lost(const Comparison& c, const StorySide& won, const Sighting& winner,
-                                const StorySide& lost, std::string_view letter) {
+std::optional<Parting> why_lost(const StoryPair& c, const StorySide& won, const Sighting& winner, const StorySide& lost,
+                                std::string_view letter) {
   const FragmentFate fate = fate_of(lost.story, winner.id);
   const std::string name = primitive_name(c.scene, winner.id);
   const Option* seen = differing_in_what_is_seen(c);
@@ -166,7 +166,7 @@ FragmentFate fate_of(const PixelStory& story, const PixelId& id) {
   return fate;
 }
 
-Parting fragments_won_differently(const Comparison& c, const Sighting& a, const Sighting& b) {
+Parting fragments_won_differently(const StoryPair& c, const Sighting& a, const Sighting& b) {
   std::optional<Parting> best;
   const auto consider = [&](std::optional<Parting> found) {
     if (found && (!best || earlier_step(found->cause) < earlier_step(best->cause))) best = std::move(found);
@@ -197,7 +197,7 @@ PartingCause cause_of_option(const Option& option) {
 
 }  // namespace
 
-Parting ray_and_fragment_differ(const Comparison& c, const Sighting& a, const Sighting& b) {
+Parting ray_and_fragment_differ(const StoryPair& c, const Sighting& a, const Sighting& b) {
   const bool ray_is_a = sends_rays(c.a.story.renderer);
   const Sighting& ray = ray_is_a ? a : b;
   const Sighting& drawn = ray_is_a ? b : a;

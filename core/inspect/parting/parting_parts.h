@@ -12,7 +12,7 @@
 namespace ps::parting {
 
 /// Both sides and what they are about, as the steps of the comparison hand it on.
-struct Comparison {
+struct StoryPair {
   const Scene& scene;
   const StorySide& a;
   const StorySide& b;
@@ -42,27 +42,27 @@ const T* event_at(const PixelStory& story, int index) {
 /// Can the option with this key be what makes A and B different? It has another value in B, and both sides act on
 /// theirs. An option that one side alone acts on counts where its value there is not the default; elsewhere it is the
 /// renderer that makes the difference, or the option that keeps the other side from acting on it.
-bool explains(const Comparison& c, std::string_view key);
+bool explains(const StoryPair& c, std::string_view key);
 /// "fill-rule is top-left in A and inclusive in B", or "mip-bias is 2 in B, and A does not use it".
-std::string option_difference(const Comparison& c, std::string_view key);
+std::string option_difference(const StoryPair& c, std::string_view key);
 /// The same for the first of `keys` that explains a difference, after ": "; nothing if none does.
-std::string because(const Comparison& c, std::initializer_list<std::string_view> keys);
+std::string because(const StoryPair& c, std::initializer_list<std::string_view> keys);
 /// ": " and the difference of this option; nothing for nullptr.
-std::string because(const Comparison& c, const Option* option);
+std::string because(const StoryPair& c, const Option* option);
 /// The first option of these groups of the table that changes pictures and explains a difference, else nullptr. What
 /// two renderers do differently is no cause where there is such an option.
-const Option* differing_option(const Comparison& c, std::initializer_list<std::string_view> groups);
+const Option* differing_option(const StoryPair& c, std::initializer_list<std::string_view> groups);
 /// That of the options that decide visibility: those of the camera, of samples, visibility and drawing. Nullptr
 /// beside a listing, which has rules of its own for them.
-const Option* differing_in_what_is_seen(const Comparison& c);
+const Option* differing_in_what_is_seen(const StoryPair& c);
 /// All options that change pictures and explain a difference: "draw is filled in A and points in B, ...".
-std::string all_differences(const Comparison& c);
+std::string all_differences(const StoryPair& c);
 
 /// The steps, each in a file of its own; nullopt if that step does not part the stories.
-std::optional<Parting> part_at_winner(const Comparison& c, const Sighting& a, const Sighting& b);
-std::optional<Parting> part_at_point(const Comparison& c, const Sighting& a, const Sighting& b);
-std::optional<Parting> part_at_texture(const Comparison& c, const Sighting& a, const Sighting& b);
-std::optional<Parting> part_at_light(const Comparison& c, const Sighting& a, const Sighting& b);
+std::optional<Parting> part_at_winner(const StoryPair& c, const Sighting& a, const Sighting& b);
+std::optional<Parting> part_at_point(const StoryPair& c, const Sighting& a, const Sighting& b);
+std::optional<Parting> part_at_texture(const StoryPair& c, const Sighting& a, const Sighting& b);
+std::optional<Parting> part_at_light(const StoryPair& c, const Sighting& a, const Sighting& b);
 
 /// Where the light of a pixel was computed: at the pixel, at the vertices of its triangle or at the triangle's centre.
 struct LightPlaces {
@@ -70,11 +70,11 @@ struct LightPlaces {
   bool same_light = false;  ///< but with the same result
   std::string text;         ///< what each side does, with its numbers; without a full stop
 };
-LightPlaces light_places(const Comparison& c, const Sighting& a, const Sighting& b);
+LightPlaces light_places(const StoryPair& c, const Sighting& a, const Sighting& b);
 
 /// Why two rays saw different things, two fragments won, or a ray and a fragment differ.
-Parting rays_saw_different_things(const Comparison& c, const Sighting& a, const Sighting& b);
-Parting fragments_won_differently(const Comparison& c, const Sighting& a, const Sighting& b);
-Parting ray_and_fragment_differ(const Comparison& c, const Sighting& a, const Sighting& b);
+Parting rays_saw_different_things(const StoryPair& c, const Sighting& a, const Sighting& b);
+Parting fragments_won_differently(const StoryPair& c, const Sighting& a, const Sighting& b);
+Parting ray_and_fragment_differ(const StoryPair& c, const Sighting& a, const Sighting& b);
 
 }  // namespace ps::parting

@@ -81,7 +81,7 @@ std::vector<int> points_of(const PixelStory& story, const Sighting& seen) {
 
 }  // namespace
 
-LightPlaces light_places(const Comparison& c, const Sighting& a, const Sighting& b) {
+LightPlaces light_places(const StoryPair& c, const Sighting& a, const Sighting& b) {
   const auto points_a = points_of(c.a.story, a), points_b = points_of(c.b.story, b);
   const auto* shade_a = event_at<ShadeEvent>(c.a.story, a.shade);
   const auto* shade_b = event_at<ShadeEvent>(c.b.story, b.shade);

@@ -65,7 +65,7 @@ constexpr std::string_view epsilon_keys[] = {"self-hit", "shadow-epsilon", "refl
 
 }  // namespace
 
-Parting rays_saw_different_things(const Comparison& c, const Sighting& a, const Sighting& b) {
+Parting rays_saw_different_things(const StoryPair& c, const Sighting& a, const Sighting& b) {
   const auto says = [&](PartingCause cause, std::string text, std::initializer_list<std::string_view> keys) {
     return Parting{cause, std::move(text) + because(c, keys) + ".", a.seen, b.seen};
   };

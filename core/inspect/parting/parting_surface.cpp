@@ -7,7 +7,7 @@
 namespace ps::parting {
 namespace {
 
-bool same_texels(const Comparison& c, const TextureEvent& a, const TextureEvent& b) {
+bool same_texels(const StoryPair& c, const TextureEvent& a, const TextureEvent& b) {
   if (a.texels.size() != b.texels.size()) return false;
   for (std::size_t i = 0; i < a.texels.size(); ++i) {
     const Texel &x = a.texels[i], &y = b.texels[i];
@@ -16,20 +16,20 @@ bool same_texels(const Comparison& c, const TextureEvent& a, const TextureEvent&
   return true;
 }
 
-const FragmentEvent* fragment_of(const Comparison& c, const Sighting& a, const Sighting& b) {
+const FragmentEvent* fragment_of(const StoryPair& c, const Sighting& a, const Sighting& b) {
   if (const auto* fragment = event_at<FragmentEvent>(c.a.story, a.seen)) return fragment;
   return event_at<FragmentEvent>(c.b.story, b.seen);
 }
 
 /// The first key of the list that can explain a difference, if any.
-std::optional<std::string_view> first_explaining(const Comparison& c, std::initializer_list<std::string_view> keys) {
+std::optional<std::string_view> first_explaining(const StoryPair& c, std::initializer_list<std::string_view> keys) {
   for (const std::string_view key : keys)
     if (explains(c, key)) return key;
   return std::nullopt;
 }
 
 /// Light comes out differently although nothing is in its way: which rule of light, normals or interpolation differs.
-Parting light_differs(const Comparison& c, int event_a, int event_b, const Sighting& a, const Sighting& b,
+Parting light_differs(const StoryPair& c, int event_a, int event_b, const Sighting& a, const Sighting& b,
                       const std::string& what) {
   const auto says = [&](PartingCause cause, const std::string& why) {
     return Parting{cause, what + why + ".", event_a, event_b};
@@ -65,13 +65,13 @@ bool computes_shadows(const StorySide& side) {
 }
 
 /// An option that decides whether a light reaches the point, or which point it is.
-const Option* differing_for_shadows(const Comparison& c) {
+const Option* differing_for_shadows(const StoryPair& c) {
   if (const Option* option = differing_option(c, {"Shadows"})) return option;
   if (const Option* option = differing_in_what_is_seen(c)) return option;
   return differing_option(c, {"Shading"});
 }
 
-std::optional<Parting> part_at_blocker(const Comparison& c, int index_a, int index_b) {
+std::optional<Parting> part_at_blocker(const StoryPair& c, int index_a, int index_b) {
   const auto& a = event_as<LightEvent>(c.a.story.events, index_a);
   const auto& b = event_as<LightEvent>(c.b.story.events, index_b);
   if (a.blocker.has_value() == b.blocker.has_value()) return std::nullopt;
@@ -105,7 +105,7 @@ std::optional<Parting> part_at_blocker(const Comparison& c, int index_a, int ind
 }
 
 /// A rasterizer's shadow covers the point in one picture only, or more of the point.
-std::optional<Parting> part_at_shadow(const Comparison& c, int index_a, int index_b) {
+std::optional<Parting> part_at_shadow(const StoryPair& c, int index_a, int index_b) {
   const auto& a = event_as<LightEvent>(c.a.story.events, index_a);
   const auto& b = event_as<LightEvent>(c.b.story.events, index_b);
   if (c.same(a.visible, b.visible) || (c.same(a.diffuse, b.diffuse) && c.same(a.specular, b.specular)))
@@ -131,7 +131,7 @@ std::optional<Parting> part_at_shadow(const Comparison& c, int index_a, int inde
 
 }  // namespace
 
-std::optional<Parting> part_at_texture(const Comparison& c, const Sighting& a, const Sighting& b) {
+std::optional<Parting> part_at_texture(const StoryPair& c, const Sighting& a, const Sighting& b) {
   if (a.textures.empty() && b.textures.empty()) return std::nullopt;
   if (a.textures.empty() || b.textures.empty())
     return Parting{PartingCause::texture,
@@ -178,7 +178,7 @@ std::optional<Parting> part_at_texture(const Comparison& c, const Sighting& a, c
   return says(PartingCause::unexplained, "Unexplained: the same texels give different colours");
 }
 
-std::optional<Parting> part_at_light(const Comparison& c, const Sighting& a, const Sighting& b) {
+std::optional<Parting> part_at_light(const StoryPair& c, const Sighting& a, const Sighting& b) {
   const LightPlaces places = light_places(c, a, b);
   if (places.differ && places.same_light) return std::nullopt;
   if (a.lights.size() != b.lights.size())

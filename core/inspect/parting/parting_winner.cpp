@@ -20,13 +20,13 @@ std::optional<int> root_taken(const PixelStory& story, const Sighting& sighting)
 }
 
 /// The surfaces on both sides count as one and the same. The triangles of a tessellated sphere share its id.
-bool same_surface(const Comparison& c, const Sighting& a, const Sighting& b) {
+bool same_surface(const StoryPair& c, const Sighting& a, const Sighting& b) {
   if (c.two_ways() && a.id.object == b.id.object) return true;
   return a.id == b.id;
 }
 
 /// A listing and the rasterizer have the same triangle in front, but not at the same place of it.
-std::optional<Parting> part_at_place(const Comparison& c, const Sighting& a, const Sighting& b) {
+std::optional<Parting> part_at_place(const StoryPair& c, const Sighting& a, const Sighting& b) {
   const auto depth_a = seen_depth(c.a.story, a), depth_b = seen_depth(c.b.story, b);
   if (!c.with_listing() || !c.both_fragments() || !depth_a || !depth_b || c.same(*depth_a, *depth_b))
     return std::nullopt;
@@ -40,14 +40,14 @@ std::optional<Parting> part_at_place(const Comparison& c, const Sighting& a, con
 
 }  // namespace
 
-std::optional<Parting> part_at_winner(const Comparison& c, const Sighting& a, const Sighting& b) {
+std::optional<Parting> part_at_winner(const StoryPair& c, const Sighting& a, const Sighting& b) {
   if (same_surface(c, a, b)) return std::nullopt;
   if (c.both_rays()) return rays_saw_different_things(c, a, b);
   if (c.both_fragments()) return fragments_won_differently(c, a, b);
   return ray_and_fragment_differ(c, a, b);
 }
 
-std::optional<Parting> part_at_point(const Comparison& c, const Sighting& a, const Sighting& b) {
+std::optional<Parting> part_at_point(const StoryPair& c, const Sighting& a, const Sighting& b) {
   if (auto found = part_at_place(c, a, b)) return found;
   const auto depth_a = seen_depth(c.a.story, a), depth_b = seen_depth(c.b.story, b);
   if (!c.both_rays() || !depth_a || !depth_b || c.same(*depth_a, *depth_b)) return std::nullopt;

@@ -31,9 +31,9 @@ bool box_is_empty(const TileRect& box) { return box.x0 >= box.x1 || box.y0 >= bo
 template <class Real>
 class Assembler {
  public:
-  Assembler(const Pass<Real>& pass, const VertexBuffer<Real>& vertices, const TriangleRun& run,
+  Assembler(const RasterInputs<Real>& inputs, const VertexBuffer<Real>& vertices, const TriangleRun& run,
             std::optional<Vec2i> inspected, Batch<Real>& batch)
-      : pass_(pass), vertices_(vertices), run_(run), inspected_(inspected), object_(pass.objects[run.object]),
+      : inputs_(inputs), vertices_(vertices), run_(run), inspected_(inspected), object_(inputs.objects[run.object]),
         batch_(batch) {}
 
   void add_run() {
@@ -57,13 +57,13 @@ class Assembler {
       recorder_.count(Counter::triangles_degenerate);
       return reject(RejectReason::zero_area, "");
     }
-    if (back_face_ && (pass_.settings.backface_culling || object_.front_only)) {
+    if (back_face_ && (inputs_.settings.backface_culling || object_.front_only)) {
       recorder_.count(Counter::triangles_backfacing);
       return reject(RejectReason::back_face, "");
     }
-    if (far_ && pass_.settings.draw == Draw::filled && (outside_ == 0 || clipped_away_) && !lights_corners())
+    if (far_ && inputs_.settings.draw == Draw::filled && (outside_ == 0 || clipped_away_) && !lights_corners())
       count_far();
-    else if (pass_.settings.draw == Draw::filled)
+    else if (inputs_.settings.draw == Draw::filled)
       fill();
     else
       outline();
@@ -73,8 +73,8 @@ class Assembler {
   template <class Number>
   bool look(const std::array<Vec3<Number>, 3>& corners, const Vec3<Number>& normal) {
     if (!(largest_component(normal) > 0)) return false;
-    const auto handedness = static_cast<Number>(facing_sense(pass_, object_));
-    const Vec3<Number> to_eye = pass_.perspective() ? -corners[0] : Vec3<Number>(0, 0, -1);
+    const auto handedness = static_cast<Number>(facing_sense(inputs_, object_));
+    const Vec3<Number> to_eye = inputs_.perspective() ? -corners[0] : Vec3<Number>(0, 0, -1);
     back_face_ = !(handedness * dot(normal, to_eye) > 0);
     return true;
   }
@@ -83,7 +83,7 @@ class Assembler {
   bool look_in_double() {
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3d world = object_.world(object_.mesh->positions[source_.triangle->position[k]]);
-      exact_[k] = pass_.settings.camera_relative ? pass_.camera_space.point(world) : Vec3d(corner_[k]);
+      exact_[k] = inputs_.settings.camera_relative ? inputs_.camera_space.point(world) : Vec3d(corner_[k]);
     }
     return look(exact_, triangle_normal(exact_[0], exact_[1], exact_[2]));
   }
@@ -101,7 +101,7 @@ class Assembler {
     // The planes before the first that any vertex is behind cut nothing.
     const std::uint32_t first_plane = outside_ & (~outside_ + 1);
     clipped_away_ = (first_plane & all_behind) != 0;
-    far_ = (outside_ & VertexPlace::no_place) == 0 && lies_far(place_, *inspected_, pass_.grid.subpixel_bits);
+    far_ = (outside_ & VertexPlace::no_place) == 0 && lies_far(place_, *inspected_, inputs_.grid.subpixel_bits);
   }
 
   /// Whether light falls on vertices or on the triangle as a whole, which counts as work.
@@ -117,14 +117,14 @@ class Assembler {
       recorder_.count(Counter::triangles_clipped_away);
     else if (doubled_area(place_) == 0)
       recorder_.count(Counter::triangles_degenerate);
-    else if (!box_is_empty(visible_box(sample_box(place_, pass_.grid))))
+    else if (!box_is_empty(visible_box(sample_box(place_, inputs_.grid))))
       recorder_.count(Counter::triangles_drawn);
   }
 
   /// How many of the vertices lie in front of every plane; -1 if all are behind one plane.
   int corners_in_view() const {
     std::array<bool, 3> in_view{true, true, true};
-    for (const auto& plane : pass_.planes) {
+    for (const auto& plane : inputs_.planes) {
       int in_front = 0;
       for (std::size_t k = 0; k < 3; ++k) {
         const bool front = plane.distance(corner_[k]) >= 0;
@@ -147,8 +147,8 @@ class Assembler {
     constexpr Real reach = static_cast<Real>(guard_band);
     std::array<CanvasCorner<Real>, 3> canvas;
     for (std::size_t k = 0; k < 3; ++k) {
-      canvas[k].position = pass_.projection.from_top_left(corner_[k]);
-      canvas[k].depth = pass_.perspective() ? Real(1) / corner_[k].z : corner_[k].z;
+      canvas[k].position = inputs_.projection.from_top_left(corner_[k]);
+      canvas[k].depth = inputs_.perspective() ? Real(1) / corner_[k].z : corner_[k].z;
       canvas[k].weights[static_cast<int>(k)] = 1;
       if (!(std::abs(canvas[k].position.x) <= reach && std::abs(canvas[k].position.y) <= reach) ||
           !std::isfinite(canvas[k].depth))
@@ -168,7 +168,7 @@ class Assembler {
       polygon.push({corners[k], weights});
     }
     bool split = false;
-    for (const auto& plane : pass_.planes) {
+    for (const auto& plane : inputs_.planes) {
       const ClipOutcome outcome = clip_polygon<Number>(
           polygon, {Vec3<Number>(plane.normal), static_cast<Number>(plane.offset), plane.reason, plane.name});
       if (outcome == ClipOutcome::outside) {
@@ -191,12 +191,12 @@ class Assembler {
   /// False if a vertex has no finite place on the canvas, which only happens without a near plane.
   template <class Number>
   bool project(const ClipPolygon<Number>& polygon, std::array<CanvasCorner<Number>, 16>& canvas) const {
-    const CanvasProjection<Number> projection = make_canvas_projection<Number>(pass_.viewport);
+    const CanvasProjection<Number> projection = make_canvas_projection<Number>(inputs_.viewport);
     for (int i = 0; i < polygon.size; ++i) {
       const auto k = static_cast<std::size_t>(i);
       const ClipVertex<Number>& vertex = polygon.corners[k];
       canvas[k] = {projection.from_top_left(vertex.position),
-                   pass_.perspective() ? Number(1) / vertex.position.z : vertex.position.z, vertex.weights};
+                   inputs_.perspective() ? Number(1) / vertex.position.z : vertex.position.z, vertex.weights};
       if (!std::isfinite(canvas[k].position.x) || !std::isfinite(canvas[k].position.y) ||
           !std::isfinite(canvas[k].depth))
         return false;
@@ -211,7 +211,7 @@ class Assembler {
     ClipPolygon<Number> polygon;
     for (int i = 0; i < size; ++i) {
       const auto& c = canvas[static_cast<std::size_t>(i)];
-      const Number share = pass_.perspective() ? c.depth : Number(1);
+      const Number share = inputs_.perspective() ? c.depth : Number(1);
       polygon.push({{c.position.x, c.position.y, c.depth}, c.weights * share});
     }
     bool cut = false;
@@ -221,7 +221,7 @@ class Assembler {
     size = polygon.size;
     for (int i = 0; i < size; ++i) {
       const auto& v = polygon.corners[static_cast<std::size_t>(i)];
-      const Number share = pass_.perspective() ? v.position.z : Number(1);
+      const Number share = inputs_.perspective() ? v.position.z : Number(1);
       canvas[static_cast<std::size_t>(i)] = {{v.position.x, v.position.y}, v.position.z, v.weights / share};
     }
     return true;
@@ -243,23 +243,23 @@ class Assembler {
     Lighting<Real> flat;
     for (int i = 1; i + 1 < size; ++i) {
       const std::array<const CanvasCorner<Number>*, 3> c{canvas, canvas + i, canvas + i + 1};
-      for (std::size_t k = 0; k < 3; ++k) piece.corners[k] = to_fixed(c[k]->position, pass_.grid.subpixel_bits);
+      for (std::size_t k = 0; k < 3; ++k) piece.corners[k] = to_fixed(c[k]->position, inputs_.grid.subpixel_bits);
       if (doubled_area(piece.corners) == 0) continue;
       area = true;
-      piece.box = visible_box(sample_box(piece.corners, pass_.grid));
+      piece.box = visible_box(sample_box(piece.corners, inputs_.grid));
       if (box_is_empty(piece.box)) continue;
       if (!attributes_known) {
         attributes_known = true;
         if (needs_face_normal()) source_.face_normal = face_normal<Real>(object_, *source_.triangle);
-        attributes = corner_attributes(pass_, surface(), source_, recorder_);
+        attributes = corner_attributes(inputs_, surface(), source_, recorder_);
         if (surface().layout.flat_light) flat = flat_light();
       }
       piece.face_normal = source_.face_normal;
       piece.attributes = static_cast<std::uint32_t>(batch_.attributes.size());
       for (std::size_t k = 0; k < 3; ++k) {
         const Number depth = c[k]->depth, inverse = Number(1) / depth;
-        piece.z[k] = static_cast<Real>(pass_.perspective() ? inverse : depth);
-        piece.inverse_z[k] = static_cast<Real>(pass_.perspective() ? depth : inverse);
+        piece.z[k] = static_cast<Real>(inputs_.perspective() ? inverse : depth);
+        piece.inverse_z[k] = static_cast<Real>(inputs_.perspective() ? depth : inverse);
         store_attributes(attributes, *c[k], split);
       }
       if (surface().layout.flat_light) {
@@ -284,7 +284,7 @@ class Assembler {
   template <class Number>
   void store_attributes(const std::array<CornerAttributes<Real>, 3>& attributes, const CanvasCorner<Number>& corner,
                         bool split) {
-    const Real share = pass_.divides() ? static_cast<Real>(corner.depth) : Real(1);
+    const Real share = inputs_.divides() ? static_cast<Real>(corner.depth) : Real(1);
     const auto number = [](Real value) { return static_cast<Number>(value); };
     const auto count = static_cast<std::size_t>(surface().layout.count);
     const std::size_t first = batch_.attributes.size();
@@ -301,22 +301,22 @@ class Assembler {
   }
 
   Lighting<Real> flat_light() {
-    const FlatPoint<Real> point = flat_point(source_, pass_.settings.normals);
-    return light_at(pass_, surface(), point.position, point.normal, recorder_);
+    const FlatPoint<Real> point = flat_point(source_, inputs_.settings.normals);
+    return light_at(inputs_, surface(), point.position, point.normal, recorder_);
   }
 
   /// The edges of the whole triangle, each cut to the clipping volume by itself; or its vertices as points.
   void outline() {
     bool any = false;
     for (std::size_t k = 0; k < 3; ++k) {
-      const bool points = pass_.settings.draw == Draw::points;
+      const bool points = inputs_.settings.draw == Draw::points;
       // The book's order of edges: 0-1, 1-2, 0-2.
       const std::size_t from = points ? k : k == 2 ? 0 : k;
       const std::size_t to = points ? k : k == 2 ? 2 : k + 1;
       Vec3<Real> a = corner_[from];
       Vec3<Real> b = corner_[to];
-      if (!clip_segment(a, b, pass_.planes)) continue;
-      any = add_line(pass_.projection.centred(a), pass_.projection.centred(b)) || any;
+      if (!clip_segment(a, b, inputs_.planes)) continue;
+      any = add_line(inputs_.projection.centred(a), inputs_.projection.centred(b)) || any;
     }
     if (any) {
       recorder_.count(Counter::triangles_drawn);
@@ -328,7 +328,7 @@ class Assembler {
 
   /// No edge is left of the triangle: because of one plane, or of several together.
   void reject_outline() {
-    for (const auto& plane : pass_.planes)
+    for (const auto& plane : inputs_.planes)
       if (std::none_of(corner_.begin(), corner_.end(), [&](const auto& c) { return plane.distance(c) >= 0; }))
         return reject(plane.reason, plane.name);
     reject(RejectReason::clipped_side, "no edge in view");
@@ -336,7 +336,7 @@ class Assembler {
 
   bool add_line(const Vec2<Real>& a, const Vec2<Real>& b) {
     ScreenLine<Real> line;
-    if (!make_canvas_line(a, b, pass_.viewport.columns, pass_.viewport.rows, line)) return false;
+    if (!make_canvas_line(a, b, inputs_.viewport.columns, inputs_.viewport.rows, line)) return false;
     line.sort_depth = mean_depth();
     line.surface = surface_index();
     line.sequence = sequence_;
@@ -349,7 +349,7 @@ class Assembler {
 
   void reject(RejectReason reason, std::string_view detail) {
     if (!inspected_) return;
-    if (far_ || !near_pixel(pass_, corner_, *inspected_)) {
+    if (far_ || !near_pixel(inputs_, corner_, *inspected_)) {
       ++batch_.elsewhere;
       return;
     }
@@ -362,20 +362,20 @@ class Assembler {
   }
 
   bool needs_face_normal() const {
-    return has(pass_.channels, Channel::facing) || reads_face_normal(pass_, surface(), source_);
+    return has(inputs_.channels, Channel::facing) || reads_face_normal(inputs_, surface(), source_);
   }
   TileRect visible_box(const TileRect& box) const {
-    return {std::max(box.x0, 0), std::max(box.y0, 0), std::min(box.x1, pass_.viewport.columns),
-            std::min(box.y1, pass_.viewport.rows)};
+    return {std::max(box.x0, 0), std::max(box.y0, 0), std::min(box.x1, inputs_.viewport.columns),
+            std::min(box.y1, inputs_.viewport.rows)};
   }
   Real mean_depth() const { return (corner_[0].z + corner_[1].z + corner_[2].z) / Real(3); }
   std::uint32_t surface_index() const {
     const auto slot = object_.materials.size() == 1 ? 0 : source_.triangle->material;
-    return pass_.first_surface[run_.object] + slot;
+    return inputs_.first_surface[run_.object] + slot;
   }
-  const Surface<Real>& surface() const { return pass_.surfaces[surface_index()]; }
+  const Surface<Real>& surface() const { return inputs_.surfaces[surface_index()]; }
 
-  const Pass<Real>& pass_;
+  const RasterInputs<Real>& inputs_;
   const VertexBuffer<Real>& vertices_;
   const TriangleRun& run_;
   std::optional<Vec2i> inspected_;
@@ -401,12 +401,12 @@ class Assembler {
 }  // namespace
 
 template <class Real>
-std::vector<TriangleRun> make_runs(const Pass<Real>& pass, const std::vector<bool>& culled) {
+std::vector<TriangleRun> make_runs(const RasterInputs<Real>& inputs, const std::vector<bool>& culled) {
   std::vector<TriangleRun> runs;
   std::uint32_t sequence = 0;
-  for (std::size_t i = 0; i < pass.objects.size(); ++i) {
+  for (std::size_t i = 0; i < inputs.objects.size(); ++i) {
     if (culled[i]) continue;
-    const std::size_t count = pass.objects[i].mesh->triangles.size();
+    const std::size_t count = inputs.objects[i].mesh->triangles.size();
     for (std::size_t first = 0; first < count; first += triangles_per_run)
       runs.push_back(
           {i, first, std::min(first + triangles_per_run, count), sequence + static_cast<std::uint32_t>(first)});
@@ -416,27 +416,28 @@ std::vector<TriangleRun> make_runs(const Pass<Real>& pass, const std::vector<boo
 }
 
 template <class Real>
-Batch<Real> assemble(const Pass<Real>& pass, const VertexBuffer<Real>& vertices, const TriangleRun& run,
+Batch<Real> assemble(const RasterInputs<Real>& inputs, const VertexBuffer<Real>& vertices, const TriangleRun& run,
                      std::optional<Vec2i> inspected) {
   Batch<Real> batch;
-  if (!inspected && pass.settings.draw == Draw::filled && !pass.settings.backface_culling)
+  if (!inspected && inputs.settings.draw == Draw::filled && !inputs.settings.backface_culling)
     batch.triangles.reserve(run.last - run.first);
-  Assembler<Real>(pass, vertices, run, inspected, batch).add_run();
+  Assembler<Real>(inputs, vertices, run, inspected, batch).add_run();
   return batch;
 }
 
 template <class Real>
-void assemble_triangle(const Pass<Real>& pass, const VertexBuffer<Real>& vertices, std::size_t object,
+void assemble_triangle(const RasterInputs<Real>& inputs, const VertexBuffer<Real>& vertices, std::size_t object,
                        std::size_t triangle, Batch<Real>& batch) {
   const TriangleRun run{object, triangle, triangle + 1, 0};
-  Assembler<Real>(pass, vertices, run, {}, batch).add_run();
+  Assembler<Real>(inputs, vertices, run, {}, batch).add_run();
 }
 
 #define PS_INSTANTIATE(Real)                                                                                           \
-  template std::vector<TriangleRun> make_runs(const Pass<Real>&, const std::vector<bool>&);                            \
-  template void assemble_triangle(const Pass<Real>&, const VertexBuffer<Real>&, std::size_t, std::size_t,              \
+  template std::vector<TriangleRun> make_runs(const RasterInputs<Real>&, const std::vector<bool>&);                    \
+  template void assemble_triangle(const RasterInputs<Real>&, const VertexBuffer<Real>&, std::size_t, std::size_t,      \
                                   Batch<Real>&);                                                                       \
-  template Batch<Real> assemble(const Pass<Real>&, const VertexBuffer<Real>&, const TriangleRun&, std::optional<Vec2i>);
+  template Batch<Real> assemble(const RasterInputs<Real>&, const VertexBuffer<Real>&, const TriangleRun&,              \
+                                std::optional<Vec2i>);
 PS_INSTANTIATE(float)
 PS_INSTANTIATE(double)
 #undef PS_INSTANTIATE

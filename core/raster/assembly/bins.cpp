@@ -9,45 +9,45 @@ constexpr std::size_t primitives_per_part = 16384;
 constexpr std::size_t most_parts = 16;
 
 template <class Real>
-TileRect touched(const Pass<Real>& pass, const ScreenTriangle<Real>& triangle) {
-  return tested_box(pass, triangle);
+TileRect touched(const RasterInputs<Real>& inputs, const ScreenTriangle<Real>& triangle) {
+  return tested_box(inputs, triangle);
 }
 template <class Real>
-TileRect touched(const Pass<Real>&, const ScreenLine<Real>& line) {
+TileRect touched(const RasterInputs<Real>&, const ScreenLine<Real>& line) {
   return line.box;
 }
 
 /// Calls visit(primitive) for the triangle or line that `ref` names, whichever the picture is made of.
 template <class Real, class Visit>
-auto with_primitive(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry, const PrimitiveRef& ref,
+auto with_primitive(const RasterInputs<Real>& inputs, const ScreenGeometry<Real>& geometry, const PrimitiveRef& ref,
                     Visit&& visit) {
   const Batch<Real>& batch = geometry.batches[ref.batch];
-  if (pass.settings.draw == Draw::filled) return visit(batch.triangles[ref.index]);
+  if (inputs.settings.draw == Draw::filled) return visit(batch.triangles[ref.index]);
   return visit(batch.lines[ref.index]);
 }
 
 }  // namespace
 
 template <class Real>
-std::vector<PrimitiveRef> drawing_order(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry) {
+std::vector<PrimitiveRef> drawing_order(const RasterInputs<Real>& inputs, const ScreenGeometry<Real>& geometry) {
   std::vector<PrimitiveRef> order;
   std::size_t total = 0;
   for (const Batch<Real>& batch : geometry.batches)
-    total += pass.settings.draw == Draw::filled ? batch.triangles.size() : batch.lines.size();
+    total += inputs.settings.draw == Draw::filled ? batch.triangles.size() : batch.lines.size();
   order.reserve(total);
   for (std::size_t b = 0; b < geometry.batches.size(); ++b) {
     const Batch<Real>& batch = geometry.batches[b];
-    const std::size_t count = pass.settings.draw == Draw::filled ? batch.triangles.size() : batch.lines.size();
+    const std::size_t count = inputs.settings.draw == Draw::filled ? batch.triangles.size() : batch.lines.size();
     for (std::size_t i = 0; i < count; ++i)
       order.push_back({static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(i)});
   }
-  if (pass.settings.visibility != Visibility::painter) return order;
+  if (inputs.settings.visibility != Visibility::painter) return order;
   struct Place {
     Real depth;
     std::uint32_t sequence;
   };
   const auto place = [&](const PrimitiveRef& ref) {
-    return with_primitive(pass, geometry, ref, [](const auto& p) { return Place{p.sort_depth, p.sequence}; });
+    return with_primitive(inputs, geometry, ref, [](const auto& p) { return Place{p.sort_depth, p.sequence}; });
   };
   std::stable_sort(order.begin(), order.end(), [&](const PrimitiveRef& a, const PrimitiveRef& b) {
     const Place first = place(a);
@@ -59,11 +59,12 @@ std::vector<PrimitiveRef> drawing_order(const Pass<Real>& pass, const ScreenGeom
 }
 
 template <class Real>
-Bins bin_primitives(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry, std::span<const PrimitiveRef> order,
-                    int tile_size, const ParallelOptions& parallel, Progress& progress) {
+Bins bin_primitives(const RasterInputs<Real>& inputs, const ScreenGeometry<Real>& geometry,
+                    std::span<const PrimitiveRef> order, int tile_size, const ParallelOptions& parallel,
+                    Progress& progress) {
   const auto tiles_across = [tile_size](int pixels) { return (pixels + tile_size - 1) / tile_size; };
-  const auto columns = static_cast<std::size_t>(tiles_across(pass.viewport.columns));
-  const auto rows = static_cast<std::size_t>(tiles_across(pass.viewport.rows));
+  const auto columns = static_cast<std::size_t>(tiles_across(inputs.viewport.columns));
+  const auto rows = static_cast<std::size_t>(tiles_across(inputs.viewport.rows));
   Bins bins;
   bins.tiles = columns * rows;
   bins.parts = std::clamp<std::size_t>(order.size() / primitives_per_part, 1, most_parts);
@@ -72,7 +73,8 @@ Bins bin_primitives(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry
     const auto part = static_cast<std::size_t>(index);
     const std::size_t last = order.size() * (part + 1) / bins.parts;
     for (std::size_t i = order.size() * part / bins.parts; i < last; ++i) {
-      const TileRect box = with_primitive(pass, geometry, order[i], [&](const auto& p) { return touched(pass, p); });
+      const TileRect box =
+          with_primitive(inputs, geometry, order[i], [&](const auto& p) { return touched(inputs, p); });
       for (int row = box.y0 / tile_size; row <= (box.y1 - 1) / tile_size; ++row)
         for (int column = box.x0 / tile_size; column <= (box.x1 - 1) / tile_size; ++column)
           bins.lists[part * bins.tiles + static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column)]
@@ -83,16 +85,17 @@ Bins bin_primitives(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry
 }
 
 template <class Real>
-Bins bin_primitives(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry, int tile_size,
+Bins bin_primitives(const RasterInputs<Real>& inputs, const ScreenGeometry<Real>& geometry, int tile_size,
                     const ParallelOptions& parallel, Progress& progress) {
-  return bin_primitives<Real>(pass, geometry, drawing_order(pass, geometry), tile_size, parallel, progress);
+  return bin_primitives<Real>(inputs, geometry, drawing_order(inputs, geometry), tile_size, parallel, progress);
 }
 
 #define PS_INSTANTIATE(Real)                                                                                           \
-  template std::vector<PrimitiveRef> drawing_order(const Pass<Real>&, const ScreenGeometry<Real>&);                    \
-  template Bins bin_primitives(const Pass<Real>&, const ScreenGeometry<Real>&, std::span<const PrimitiveRef>, int,     \
-                               const ParallelOptions&, Progress&);                                                     \
-  template Bins bin_primitives(const Pass<Real>&, const ScreenGeometry<Real>&, int, const ParallelOptions&, Progress&);
+  template std::vector<PrimitiveRef> drawing_order(const RasterInputs<Real>&, const ScreenGeometry<Real>&);            \
+  template Bins bin_primitives(const RasterInputs<Real>&, const ScreenGeometry<Real>&, std::span<const PrimitiveRef>,  \
+                               int, const ParallelOptions&, Progress&);                                                \
+  template Bins bin_primitives(const RasterInputs<Real>&, const ScreenGeometry<Real>&, int, const ParallelOptions&,    \
+                               Progress&);
 PS_INSTANTIATE(float)
 PS_INSTANTIATE(double)
 #undef PS_INSTANTIATE

@@ -9,15 +9,15 @@ namespace ps::raster {
 
 /// The samples that coverage is asked for: those of the triangle's box, or all where no box is used.
 template <class Real>
-TileRect tested_box(const Pass<Real>& pass, const ScreenTriangle<Real>& triangle) {
-  if (pass.coverage.strategy != Coverage::ray_test) return triangle.box;
-  return {0, 0, pass.viewport.columns, pass.viewport.rows};
+TileRect tested_box(const RasterInputs<Real>& inputs, const ScreenTriangle<Real>& triangle) {
+  if (inputs.coverage.strategy != Coverage::ray_test) return triangle.box;
+  return {0, 0, inputs.viewport.columns, inputs.viewport.rows};
 }
 
 /// All triangles (or lines) in the order in which they are drawn: as submitted, or for the painter from back to front.
 /// At equal depth the painter draws the lowest index last, so that it wins there as it does everywhere.
 template <class Real>
-std::vector<PrimitiveRef> drawing_order(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry);
+std::vector<PrimitiveRef> drawing_order(const RasterInputs<Real>& inputs, const ScreenGeometry<Real>& geometry);
 
 /// For each tile the primitives whose box touches it. Drawing order is cut into parts, so that several threads can sort
 /// them: a tile draws its list of part 0, then of part 1 and so on.
@@ -31,11 +31,12 @@ struct Bins {
 /// Sorts the primitives of `order` into tiles. `tile_size` is the one the tiles were made with. The parts do not depend
 /// on the number of threads.
 template <class Real>
-Bins bin_primitives(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry, std::span<const PrimitiveRef> order,
-                    int tile_size, const ParallelOptions& parallel, Progress& progress);
+Bins bin_primitives(const RasterInputs<Real>& inputs, const ScreenGeometry<Real>& geometry,
+                    std::span<const PrimitiveRef> order, int tile_size, const ParallelOptions& parallel,
+                    Progress& progress);
 /// The same with all of them, in drawing order.
 template <class Real>
-Bins bin_primitives(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry, int tile_size,
+Bins bin_primitives(const RasterInputs<Real>& inputs, const ScreenGeometry<Real>& geometry, int tile_size,
                     const ParallelOptions& parallel, Progress& progress);
 
 }  // namespace ps::raster

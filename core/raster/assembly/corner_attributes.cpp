@@ -29,10 +29,10 @@ std::optional<TangentFrame<Real>> frame_of(const CornerSource<Real>& source) {
 }  // namespace
 
 template <class Real>
-std::array<CornerAttributes<Real>, 3> corner_attributes(const Pass<Real>& pass, const Surface<Real>& surface,
+std::array<CornerAttributes<Real>, 3> corner_attributes(const RasterInputs<Real>& inputs, const Surface<Real>& surface,
                                                         const CornerSource<Real>& source, CountingRecorder& recorder) {
   const AttributeLayout& layout = surface.layout;
-  const Normals normals = pass.settings.normals;
+  const Normals normals = inputs.settings.normals;
   std::array<CornerAttributes<Real>, 3> corners;
   TangentFrame<Real> tangents;  // zeros: the normal stays as it is
   if (layout.tangents != AttributeLayout::absent) tangents = frame_of(source).value_or(tangents);
@@ -50,7 +50,8 @@ std::array<CornerAttributes<Real>, 3> corner_attributes(const Pass<Real>& pass, 
       put(corners[k], layout.tangents + 3, tangents.upwards);
     }
     if (layout.light != AttributeLayout::absent) {
-      const Lighting<Real> lighting = light_at(pass, surface, source.position(k), source.normal(k, normals), recorder);
+      const Lighting<Real> lighting =
+          light_at(inputs, surface, source.position(k), source.normal(k, normals), recorder);
       put(corners[k], layout.light, lighting.light);
       put(corners[k], layout.extra, lighting.extra);
     }
@@ -69,7 +70,7 @@ FlatPoint<Real> flat_point(const CornerSource<Real>& source, Normals normals) {
 }
 
 #define PS_INSTANTIATE(Real)                                                                                           \
-  template std::array<CornerAttributes<Real>, 3> corner_attributes(const Pass<Real>&, const Surface<Real>&,            \
+  template std::array<CornerAttributes<Real>, 3> corner_attributes(const RasterInputs<Real>&, const Surface<Real>&,    \
                                                                    const CornerSource<Real>&, CountingRecorder&);      \
   template FlatPoint<Real> flat_point(const CornerSource<Real>&, Normals);
 PS_INSTANTIATE(float)

@@ -3,7 +3,8 @@
 #include <cmath>
 
 #include "math/unit.h"
-#include "raster/base/pass.h"
+#include "raster/base/raster_inputs.h"
+#include "raster/base/vertex_buffer.h"
 #include "record/recorder.h"
 
 namespace ps::raster {
@@ -39,13 +40,14 @@ struct CornerSource {
 
 /// Whether anything that shades a triangle of the surface reads the triangle's own normal: where vertices have none.
 template <class Real>
-inline bool reads_face_normal(const Pass<Real>& pass, const Surface<Real>& surface, const CornerSource<Real>& source) {
+inline bool reads_face_normal(const RasterInputs<Real>& inputs, const Surface<Real>& surface,
+                              const CornerSource<Real>& source) {
   const AttributeLayout& layout = surface.layout;
   if (!layout.lit && !layout.shading_normal) return false;
   if (layout.shading_normal && layout.normal == AttributeLayout::absent) return true;
   const auto& normal = source.triangle->normal;
   const bool own = normal[0] >= 0 && normal[1] >= 0 && normal[2] >= 0 && source.vertices->has_normals();
-  return pass.settings.normals == Normals::triangle || !own;
+  return inputs.settings.normals == Normals::triangle || !own;
 }
 
 /// The triangle's own normal: world space, length 1.
@@ -58,7 +60,7 @@ inline Vec3<Real> face_normal(const DrawObject& object, const MeshTriangle& tria
 
 /// Fills in what the layout asks for; Gouraud shading evaluates the lighting at the vertices here.
 template <class Real>
-std::array<CornerAttributes<Real>, 3> corner_attributes(const Pass<Real>& pass, const Surface<Real>& surface,
+std::array<CornerAttributes<Real>, 3> corner_attributes(const RasterInputs<Real>& inputs, const Surface<Real>& surface,
                                                         const CornerSource<Real>& source, CountingRecorder& recorder);
 
 /// Flat shading: the light at the centre of the triangle, with the mean of its vertexs' normals.

@@ -2,30 +2,30 @@
 #include <algorithm>
 #include <array>
 
-#include "raster/base/pass.h"
+#include "raster/base/raster_inputs.h"
 
 namespace ps::raster {
 
 /// What lies nearer than this to the eye's plane has no place on the canvas.
 template <class Real>
-Real least_depth(const Pass<Real>& pass) {
-  return static_cast<Real>(pass.viewport.distance * 1e-3);
+Real least_depth(const RasterInputs<Real>& inputs) {
+  return static_cast<Real>(inputs.viewport.distance * 1e-3);
 }
 
 /// Whether a triangle's box on the canvas, grown by one pixel, holds the pixel (array position). What lies behind the
 /// camera has no place on the canvas and is left out.
 template <class Real>
-bool near_pixel(const Pass<Real>& pass, const std::array<Vec3<Real>, 3>& corner, Vec2i pixel) {
+bool near_pixel(const RasterInputs<Real>& inputs, const std::array<Vec3<Real>, 3>& corner, Vec2i pixel) {
   ClipPolygon<Real> polygon;
   for (const auto& c : corner) polygon.push({c, Vec3<Real>(0)});
-  if (pass.perspective()) {
-    const ClipPlane<Real> front{{0, 0, 1}, -least_depth(pass), RejectReason::behind_camera, "front"};
+  if (inputs.perspective()) {
+    const ClipPlane<Real> front{{0, 0, 1}, -least_depth(inputs), RejectReason::behind_camera, "front"};
     if (clip_polygon(polygon, front) == ClipOutcome::outside) return false;
   }
-  Vec2<Real> low = pass.projection.from_top_left(polygon.corners[0].position);
+  Vec2<Real> low = inputs.projection.from_top_left(polygon.corners[0].position);
   Vec2<Real> high = low;
   for (int i = 1; i < polygon.size; ++i) {
-    const Vec2<Real> p = pass.projection.from_top_left(polygon.corners[static_cast<std::size_t>(i)].position);
+    const Vec2<Real> p = inputs.projection.from_top_left(polygon.corners[static_cast<std::size_t>(i)].position);
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }

@@ -4,6 +4,7 @@
 
 #include "raster/assembly/assemble.h"
 #include "raster/assembly/corner_attributes.h"
+#include "raster/base/vertex_buffer.h"
 
 namespace ps::raster {
 
@@ -19,24 +20,24 @@ struct ScreenGeometry {
 /// Vertex stage and primitive assembly. With an inspected pixel, batches keep what was rejected near it, and of whole
 /// triangles that are drawn far from it only the number.
 template <class Real>
-ScreenGeometry<Real> make_geometry(const Pass<Real>& pass, std::optional<Vec2i> inspected,
+ScreenGeometry<Real> make_geometry(const RasterInputs<Real>& inputs, std::optional<Vec2i> inspected,
                                    const ParallelOptions& parallel, Progress& progress);
 
 /// The mesh triangle that a screen triangle came from.
 template <class Real>
-inline CornerSource<Real> corner_source(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
+inline CornerSource<Real> corner_source(const RasterInputs<Real>& inputs, const ScreenGeometry<Real>& geometry,
                                         const ScreenTriangle<Real>& triangle) {
-  const std::size_t object = pass.surfaces[triangle.surface].drawn;
-  const Mesh& mesh = *pass.objects[object].mesh;
+  const std::size_t object = inputs.surfaces[triangle.surface].drawn;
+  const Mesh& mesh = *inputs.objects[object].mesh;
   return {&mesh, &mesh.triangles[static_cast<std::size_t>(triangle.triangle)], &geometry.vertices[object],
           triangle.face_normal};
 }
 
 /// Its vertices in camera space, before they were rounded to the canvas and before clipping.
 template <class Real>
-inline std::array<Vec3<Real>, 3> camera_corners(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
+inline std::array<Vec3<Real>, 3> camera_corners(const RasterInputs<Real>& inputs, const ScreenGeometry<Real>& geometry,
                                                 const ScreenTriangle<Real>& triangle) {
-  const CornerSource<Real> source = corner_source(pass, geometry, triangle);
+  const CornerSource<Real> source = corner_source(inputs, geometry, triangle);
   std::array<Vec3<Real>, 3> corners;
   for (std::size_t k = 0; k < 3; ++k) corners[k] = Vec3<Real>(source.vertices->camera[source.triangle->position[k]]);
   return corners;

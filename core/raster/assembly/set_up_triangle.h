@@ -11,20 +11,20 @@ inline bool finds_depth_by_plane(const Settings& settings) {
 }
 
 template <class Real>
-inline TriangleSetup<Real> set_up_triangle(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
+inline TriangleSetup<Real> set_up_triangle(const RasterInputs<Real>& inputs, const ScreenGeometry<Real>& geometry,
                                            const PrimitiveRef& ref) {
   const Batch<Real>& batch = geometry.batches[ref.batch];
   const ScreenTriangle<Real>& triangle = batch.triangles[ref.index];
-  const auto edges = make_edges(triangle.corners, pass.grid);
+  const auto edges = make_edges(triangle.corners, inputs.grid);
   PS_ASSERT(edges.has_value(), "triangles without area are left out by the assembly");
   TriangleSetup<Real> setup;
   setup.triangle = &triangle;
-  setup.surface = &pass.surfaces[triangle.surface];
+  setup.surface = &inputs.surfaces[triangle.surface];
   setup.attributes = batch.attributes.data() + triangle.attributes;
   setup.edges = *edges;
   setup.inverse_area = Real(1) / static_cast<Real>(edges->area);
-  if (finds_depth_by_plane(pass.settings))
-    setup.plane = make_depth_plane(camera_corners(pass, geometry, triangle), triangle.z);
+  if (finds_depth_by_plane(inputs.settings))
+    setup.plane = make_depth_plane(camera_corners(inputs, geometry, triangle), triangle.z);
   return setup;
 }
 

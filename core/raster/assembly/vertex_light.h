@@ -19,20 +19,20 @@ struct LightPoint {
 
 /// Vertex `k` of the triangle, with the weight that its light has in the fragment's (Gouraud shading).
 template <class Real>
-LightPoint<Real> light_point(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
-                             const CornerSource<Real>& source, std::size_t k) {
+LightPoint<Real> light_point(const RasterInputs<Real>& inputs, const TriangleSetup<Real>& setup,
+                             const Fragment<Real>& fragment, const CornerSource<Real>& source, std::size_t k) {
   const Vec3<Real> weights =
-      whole_weights(setup, pass.divides() ? space_weights(pass, setup, fragment) : fragment.weights);
+      whole_weights(setup, inputs.divides() ? space_weights(inputs, setup, fragment) : fragment.weights);
   const int vertex = static_cast<int>(k);
-  return {source.position(k), source.normal(k, pass.settings.normals), vertex, weights[vertex]};
+  return {source.position(k), source.normal(k, inputs.settings.normals), vertex, weights[vertex]};
 }
 
 /// light_at() such a point, with the event that holds those of its lights.
 template <class Real, class Recorder, class Blocked = NothingBlocks>
-Lighting<Real> light_of_point(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const LightPoint<Real>& point,
-                              Recorder& recorder, Blocked&& blocked = {}) {
+Lighting<Real> light_of_point(const RasterInputs<Real>& inputs, const TriangleSetup<Real>& setup,
+                              const LightPoint<Real>& point, Recorder& recorder, Blocked&& blocked = {}) {
   recorder.begin([] { return VertexLightEvent{}; });
-  const Lighting<Real> lighting = light_at(pass, *setup.surface, point.position, point.normal, recorder,
+  const Lighting<Real> lighting = light_at(inputs, *setup.surface, point.position, point.normal, recorder,
                                            std::optional<int>(), std::forward<Blocked>(blocked));
   recorder.end([&] {
     return VertexLightEvent{event_id(setup),       point.vertex,        static_cast<double>(point.weight),

@@ -2,7 +2,8 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "raster/base/pass.h"
+#include "raster/base/raster_inputs.h"
+#include "raster/base/vertex_buffer.h"
 
 namespace ps::raster {
 
@@ -17,8 +18,8 @@ enum class VertexUse {
 /// rounded to Real, so pictures far from the origin do not shake. Objects culled by their bounding sphere get empty
 /// buffers.
 template <class Real>
-std::vector<VertexBuffer<Real>> run_vertex_stage(const Pass<Real>& pass, const std::vector<bool>& culled, VertexUse use,
-                                                 const ParallelOptions& parallel, Progress& progress);
+std::vector<VertexBuffer<Real>> run_vertex_stage(const RasterInputs<Real>& inputs, const std::vector<bool>& culled,
+                                                 VertexUse use, const ParallelOptions& parallel, Progress& progress);
 
 /// What the shading of an object's surfaces asks of its vertices besides their place.
 struct VertexNeeds {
@@ -26,10 +27,10 @@ struct VertexNeeds {
   bool normals = false;  ///< the vertices' own: for interpolation, at the vertices, or for a triangle's mean normal
 };
 template <class Real>
-VertexNeeds vertex_needs(const Pass<Real>& pass, std::size_t object);
+VertexNeeds vertex_needs(const RasterInputs<Real>& inputs, std::size_t object);
 
 /// For each object whether its bounding sphere lies wholly outside a clipping plane (CGFS ch. 11, the first stage).
 template <class Real>
-std::vector<bool> cull_objects(const Pass<Real>& pass);
+std::vector<bool> cull_objects(const RasterInputs<Real>& inputs);
 
 }  // namespace ps::raster

@@ -18,21 +18,21 @@ inline Vec2<Real> on_projection_plane(const CanvasProjection<Real>& projection, 
 
 /// The value that is encoded, stored and compared (CGFS ch. 12), at the sample that lies at `in_pixel` in its pixel.
 template <class Real>
-inline Real depth_value(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
-                        const Vec2d& in_pixel) {
-  switch (pass.settings.depth_value) {
+inline Real depth_value(const RasterInputs<Real>& inputs, const TriangleSetup<Real>& setup,
+                        const Fragment<Real>& fragment, const Vec2d& in_pixel) {
+  switch (inputs.settings.depth_value) {
   case DepthValue::inverse_z:
     return fragment.inverse_z;
   case DepthValue::z:  // as if it were linear on the screen, which it is not: the book's wrong turn
     return weighted(fragment.weights, setup.triangle->z);
   case DepthValue::distance: {
-    if (!pass.perspective()) return fragment.z;
-    const Vec2<Real> p = on_projection_plane(pass.projection, fragment, in_pixel);
+    if (!inputs.perspective()) return fragment.z;
+    const Vec2<Real> p = on_projection_plane(inputs.projection, fragment, in_pixel);
     return fragment.z * std::sqrt(p.x * p.x + p.y * p.y + Real(1));
   }
   case DepthValue::ray_plane: {
-    const Vec2<Real> p = on_projection_plane(pass.projection, fragment, in_pixel);
-    return pass.perspective() ? setup.plane.along_eye_ray(p.x, p.y) : setup.plane.along_parallel_ray(p.x, p.y);
+    const Vec2<Real> p = on_projection_plane(inputs.projection, fragment, in_pixel);
+    return inputs.perspective() ? setup.plane.along_eye_ray(p.x, p.y) : setup.plane.along_parallel_ray(p.x, p.y);
   }
   }
   return 0;

@@ -39,7 +39,7 @@ inline FixedPoint to_fixed(const Vec2<Real>& position, int subpixel_bits) {
 /// i; its value at a sample is twice the area that sample and edge span, positive inside. The three values add up to
 /// `area`, so value / area is the screen-space barycentric weight of vertex i. Two triangles that share an edge compute
 /// the same number with opposite signs, so the fill rule gives each sample on it to exactly one of them.
-struct TriangleEdges {
+struct EdgeFunctions {
   std::array<std::int64_t, 3> at_origin{};  ///< values at the sample of pixel (0, 0)
   std::array<std::int64_t, 3> step_x{};     ///< change from one column to the next
   std::array<std::int64_t, 3> step_y{};     ///< change from one row to the next
@@ -72,11 +72,11 @@ inline std::int64_t doubled_area(const std::array<FixedPoint, 3>& corner) {
 }
 
 /// The edges of a triangle in either orientation; nullopt for a triangle with zero area.
-inline std::optional<TriangleEdges> make_edges(const std::array<FixedPoint, 3>& corner, const CoverageGrid& grid) {
+inline std::optional<EdgeFunctions> make_edges(const std::array<FixedPoint, 3>& corner, const CoverageGrid& grid) {
   const std::int64_t unit = fixed_unit(grid.subpixel_bits);
   const auto sample_x = static_cast<std::int64_t>(grid.sample.x * static_cast<double>(unit));
   const auto sample_y = static_cast<std::int64_t>(grid.sample.y * static_cast<double>(unit));
-  TriangleEdges edges;
+  EdgeFunctions edges;
   const std::int64_t area = doubled_area(corner);
   if (area == 0) return {};
   const std::int64_t sign = area > 0 ? 1 : -1;

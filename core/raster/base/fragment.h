@@ -4,7 +4,7 @@
 
 #include "raster/base/depth_plane.h"
 #include "raster/base/multisample.h"
-#include "raster/base/pass.h"
+#include "raster/base/raster_inputs.h"
 #include "raster/base/screen_triangle.h"
 
 namespace ps::raster {
@@ -15,7 +15,7 @@ struct TriangleSetup {
   const ScreenTriangle<Real>* triangle = nullptr;
   const Surface<Real>* surface = nullptr;
   const Real* attributes = nullptr;  ///< of vertex 0; vertices follow each other
-  TriangleEdges edges;
+  EdgeFunctions edges;
   Real inverse_area = 1;
   DepthPlane<Real> plane;  ///< only where depth is found by ray and plane
 };
@@ -35,13 +35,13 @@ inline Real weighted(const std::array<Real, 3>& weights, const std::array<Real, 
 }
 
 template <class Real>
-inline Fragment<Real> make_fragment(const Pass<Real>& pass, const TriangleSetup<Real>& setup, int column, int row,
-                                    const std::array<std::int64_t, 3>& edge_values) {
+inline Fragment<Real> make_fragment(const RasterInputs<Real>& inputs, const TriangleSetup<Real>& setup, int column,
+                                    int row, const std::array<std::int64_t, 3>& edge_values) {
   Fragment<Real> fragment;
   fragment.column = column;
   fragment.row = row;
   for (std::size_t i = 0; i < 3; ++i) fragment.weights[i] = static_cast<Real>(edge_values[i]) * setup.inverse_area;
-  if (pass.perspective()) {  // 1 / z is linear on the screen (CGFS ch. 12)
+  if (inputs.perspective()) {  // 1 / z is linear on the screen (CGFS ch. 12)
     fragment.inverse_z = weighted(fragment.weights, setup.triangle->inverse_z);
     fragment.z = Real(1) / fragment.inverse_z;
   } else {
@@ -53,17 +53,18 @@ inline Fragment<Real> make_fragment(const Pass<Real>& pass, const TriangleSetup<
 
 /// The fragment at a sub-sample with these values. The scale is a power of two, so dividing by it loses nothing.
 template <class Real>
-inline Fragment<Real> sub_sample_fragment(const Pass<Real>& pass, TriangleSetup<Real> setup, const SubSampleEdges& sub,
-                                          int column, int row, const std::array<std::int64_t, 3>& values) {
+inline Fragment<Real> sub_sample_fragment(const RasterInputs<Real>& inputs, TriangleSetup<Real> setup,
+                                          const SubSampleEdges& sub, int column, int row,
+                                          const std::array<std::int64_t, 3>& values) {
   setup.inverse_area /= static_cast<Real>(sub.scale);
-  return make_fragment(pass, setup, column, row, values);
+  return make_fragment(inputs, setup, column, row, values);
 }
 
 /// Weights in space: of the point that is seen, in terms of the vertices.
 template <class Real>
-inline std::array<Real, 3> space_weights(const Pass<Real>& pass, const TriangleSetup<Real>& setup,
+inline std::array<Real, 3> space_weights(const RasterInputs<Real>& inputs, const TriangleSetup<Real>& setup,
                                          const Fragment<Real>& fragment) {
-  if (!pass.perspective()) return fragment.weights;
+  if (!inputs.perspective()) return fragment.weights;
   std::array<Real, 3> weights;
   for (std::size_t i = 0; i < 3; ++i) weights[i] = fragment.weights[i] * setup.triangle->inverse_z[i] * fragment.z;
   return weights;
@@ -71,19 +72,19 @@ inline std::array<Real, 3> space_weights(const Pass<Real>& pass, const TriangleS
 
 /// Scalar number `slot` of the surface's layout at the fragment: the one mechanism for every attribute.
 template <class Real>
-inline Real interpolate(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
-                        int slot) {
+inline Real interpolate(const RasterInputs<Real>& inputs, const TriangleSetup<Real>& setup,
+                        const Fragment<Real>& fragment, int slot) {
   const auto stride = static_cast<std::size_t>(setup.surface->layout.count);
   const Real* a = setup.attributes + slot;
   const Real sum = fragment.weights[0] * a[0] + fragment.weights[1] * a[stride] + fragment.weights[2] * a[2 * stride];
-  return pass.divides() ? sum * fragment.z : sum;
+  return inputs.divides() ? sum * fragment.z : sum;
 }
 
 template <class Real>
-inline Vec3<Real> interpolate3(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
-                               int slot) {
-  return {interpolate(pass, setup, fragment, slot), interpolate(pass, setup, fragment, slot + 1),
-          interpolate(pass, setup, fragment, slot + 2)};
+inline Vec3<Real> interpolate3(const RasterInputs<Real>& inputs, const TriangleSetup<Real>& setup,
+                               const Fragment<Real>& fragment, int slot) {
+  return {interpolate(inputs, setup, fragment, slot), interpolate(inputs, setup, fragment, slot + 1),
+          interpolate(inputs, setup, fragment, slot + 2)};
 }
 
 /// The three scalars of constant number `index` (0 light, 1 extra) that flat shading stored after the vertices.

@@ -34,14 +34,14 @@ inline void name_by_object(bool sphere, RejectEvent& event) {
 
 /// All that is known of a covered sample before it is shaded. `stored` is the depth buffer's value before the test.
 template <class Real>
-FragmentEvent fragment_event(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
-                             const std::array<std::int64_t, 3>& values, FragmentEvent::Depth verdict, Real stored,
-                             Real depth) {
+FragmentEvent fragment_event(const RasterInputs<Real>& inputs, const TriangleSetup<Real>& setup,
+                             const Fragment<Real>& fragment, const std::array<std::int64_t, 3>& values,
+                             FragmentEvent::Depth verdict, Real stored, Real depth) {
   FragmentEvent event;
   event.id = event_id(setup);
   if (setup.surface->sphere) event.sphere_triangle = setup.triangle->triangle;
-  const int bits = pass.grid.subpixel_bits;
-  const std::array<Real, 3> weights = space_weights(pass, setup, fragment);
+  const int bits = inputs.grid.subpixel_bits;
+  const std::array<Real, 3> weights = space_weights(inputs, setup, fragment);
   event.edges = edges_in_pixels(values, bits);
   event.tie_owned = {values[0] == 0, values[1] == 0, values[2] == 0};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -61,7 +61,7 @@ FragmentEvent fragment_event(const Pass<Real>& pass, const TriangleSetup<Real>& 
 }
 
 /// The first edge that keeps a sample out: "edge 1", or that it runs through the sample and leaves it to its neighbour.
-inline std::string losing_edge(const TriangleEdges& edges, const std::array<std::int64_t, 3>& values) {
+inline std::string losing_edge(const EdgeFunctions& edges, const std::array<std::int64_t, 3>& values) {
   for (std::size_t i = 0; i < 3; ++i)
     if (values[i] <= edges.threshold[i])
       return values[i] == 0 ? "on edge " + std::to_string(i) + ", which does not own its samples"
@@ -70,13 +70,13 @@ inline std::string losing_edge(const TriangleEdges& edges, const std::array<std:
 }
 
 template <class Real>
-RejectEvent not_covered_event(const Pass<Real>& pass, const TriangleSetup<Real>& setup,
+RejectEvent not_covered_event(const RasterInputs<Real>& inputs, const TriangleSetup<Real>& setup,
                               const std::array<std::int64_t, 3>& values) {
   RejectEvent event;
   event.id = {setup.surface->object, setup.triangle->triangle};
   event.reason = RejectReason::not_covered;
   event.detail = losing_edge(setup.edges, values);
-  event.edges = edges_in_pixels(values, pass.grid.subpixel_bits);
+  event.edges = edges_in_pixels(values, inputs.grid.subpixel_bits);
   name_by_object(setup.surface->sphere, event);
   return event;
 }

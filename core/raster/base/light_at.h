@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "raster/base/pass.h"
+#include "raster/base/raster_inputs.h"
 #include "record/recorder.h"
 #include "shade/illumination.h"
 
@@ -18,14 +18,14 @@ struct NothingBlocks {
 /// The illumination equation at one world-space point of a surface, under all lights or only one of them. `blocked` as
 /// illuminate() asks it.
 template <class Real, class Recorder, class Blocked = NothingBlocks>
-Lighting<Real> light_at(const Pass<Real>& pass, const Surface<Real>& surface, const Vec3<Real>& position,
+Lighting<Real> light_at(const RasterInputs<Real>& inputs, const Surface<Real>& surface, const Vec3<Real>& position,
                         const Vec3<Real>& normal, Recorder& recorder, std::optional<int> only_light = {},
                         Blocked&& blocked = {}) {
   recorder.count(Counter::shading_calls);
-  const LitPoint<Real> point{position, normal, pass.to_eye(position)};
-  std::span<const ShadingLight<Real>> lights(pass.lights);
+  const LitPoint<Real> point{position, normal, inputs.to_eye(position)};
+  std::span<const ShadingLight<Real>> lights(inputs.lights);
   if (only_light) lights = lights.subspan(static_cast<std::size_t>(*only_light), 1);
-  return illuminate(point, surface.material, lights, illumination_options(pass.settings), blocked, recorder,
+  return illuminate(point, surface.material, lights, illumination_options(inputs.settings), blocked, recorder,
                     only_light.value_or(0));
 }
 

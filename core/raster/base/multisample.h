@@ -49,7 +49,7 @@ struct SubSampleEdges {
   }
 };
 
-inline SubSampleEdges make_sub_sample_edges(const TriangleEdges& edges, int subpixel_bits) {
+inline SubSampleEdges make_sub_sample_edges(const EdgeFunctions& edges, int subpixel_bits) {
   SubSampleEdges sub;
   const std::int64_t unit = fixed_unit(subpixel_bits);
   sub.scale = std::max<std::int64_t>(1, 16 / unit);

@@ -18,7 +18,7 @@ struct ScreenTriangle {
   std::array<Real, 3> inverse_z{};  ///< 1 / z
   Real sort_depth = 0;              ///< mean z of the whole triangle, for the painter
   Vec3<Real> face_normal{0, 0, 0};  ///< world space, length 1
-  std::uint32_t surface = 0;        ///< index into Pass::surfaces
+  std::uint32_t surface = 0;        ///< index into RasterInputs::surfaces
   std::uint32_t attributes = 0;     ///< index of the first scalar in Batch::attributes, vertex after vertex
   std::uint32_t sequence = 0;       ///< number of the whole triangle in drawing order
   std::int32_t triangle = 0;        ///< number of the whole triangle in its object

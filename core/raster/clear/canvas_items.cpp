@@ -21,7 +21,7 @@ struct LinePaint {
 
 /// Writes step `step` of a line into `pixel`, which lies in the tile.
 template <class Real, class Recorder>
-void draw_line_pixel(const Pass<Real>& pass, const ScreenLine<Real>& line, const LinePaint<Real>& paint,
+void draw_line_pixel(const RasterInputs<Real>& inputs, const ScreenLine<Real>& line, const LinePaint<Real>& paint,
                      const Vec2i& pixel, int step, Target<Real>& target, Recorder& recorder) {
   const Vec3<Real> before = target.colour(pixel.x, pixel.y);
   const Vec3<Real> after = blend_over(paint.blend, before, paint.colour);
@@ -34,7 +34,7 @@ void draw_line_pixel(const Pass<Real>& pass, const ScreenLine<Real>& line, const
     return;
   }
   recorder.event([&] {
-    const int columns = pass.viewport.columns, rows = pass.viewport.rows;
+    const int columns = inputs.viewport.columns, rows = inputs.viewport.rows;
     const auto place = [&](const Vec2<Real>& p) {
       const int right = columns / 2, up = rows - rows / 2;  // of the canvas's centre, whole pixels
       return Vec2d(static_cast<double>(p.x) + right, up - static_cast<double>(p.y));
@@ -46,70 +46,73 @@ void draw_line_pixel(const Pass<Real>& pass, const ScreenLine<Real>& line, const
 /// Walks the whole line from its own start, so that a stepped algorithm does not depend on the tile, and draws what
 /// falls into the tile.
 template <class Real, class Recorder>
-void draw_line(const Pass<Real>& pass, const ScreenLine<Real>& line, const LinePaint<Real>& paint, Target<Real>& target,
-               Recorder& recorder) {
-  walk_line(pass.settings.line_algorithm, line.from, line.to, pass.settings.sample_position,
+void draw_line(const RasterInputs<Real>& inputs, const ScreenLine<Real>& line, const LinePaint<Real>& paint,
+               Target<Real>& target, Recorder& recorder) {
+  walk_line(inputs.settings.line_algorithm, line.from, line.to, inputs.settings.sample_position,
             [&](const Vec2i& book_name, int step) {
-              const Vec2i pixel = array_pixel(book_name, pass.viewport.columns, pass.viewport.rows);
+              const Vec2i pixel = array_pixel(book_name, inputs.viewport.columns, inputs.viewport.rows);
               if (target.rect().contains(pixel.x, pixel.y))
-                draw_line_pixel(pass, line, paint, pixel, step, target, recorder);
+                draw_line_pixel(inputs, line, paint, pixel, step, target, recorder);
             });
 }
 
 template <class Real, class Recorder>
-void draw_canvas_segment(const Pass<Real>& pass, const Vec2d& from, const Vec2d& to, const LinePaint<Real>& paint,
-                         Target<Real>& target, Recorder& recorder) {
+void draw_canvas_segment(const RasterInputs<Real>& inputs, const Vec2d& from, const Vec2d& to,
+                         const LinePaint<Real>& paint, Target<Real>& target, Recorder& recorder) {
   ScreenLine<Real> line;
   const bool visible =
-      make_canvas_line(Vec2<Real>(from), Vec2<Real>(to), pass.viewport.columns, pass.viewport.rows, line);
+      make_canvas_line(Vec2<Real>(from), Vec2<Real>(to), inputs.viewport.columns, inputs.viewport.rows, line);
   const TileRect& rect = target.rect();
   if (!visible || line.box.x0 >= rect.x1 || line.box.x1 <= rect.x0 || line.box.y0 >= rect.y1 || line.box.y1 <= rect.y0)
     return;
-  draw_line(pass, line, paint, target, recorder);
+  draw_line(inputs, line, paint, target, recorder);
 }
 
 template <class Real, class Recorder>
-void draw_item(const Pass<Real>& pass, const CanvasLine& item, int, Target<Real>& target, Recorder& recorder) {
-  const LinePaint<Real> paint{Vec3<Real>(item.colour), item.blend, {}};
-  draw_canvas_segment(pass, item.points[0], item.points[1], paint, target, recorder);
-}
-
-template <class Real, class Recorder>
-void draw_item(const Pass<Real>& pass, const CanvasTriangle& item, int index, Target<Real>& target,
+void draw_item(const RasterInputs<Real>& inputs, const CanvasLine& item, int, Target<Real>& target,
                Recorder& recorder) {
-  if (item.filled) fill_shape(pass, item, index, target, recorder);
+  const LinePaint<Real> paint{Vec3<Real>(item.colour), item.blend, {}};
+  draw_canvas_segment(inputs, item.points[0], item.points[1], paint, target, recorder);
+}
+
+template <class Real, class Recorder>
+void draw_item(const RasterInputs<Real>& inputs, const CanvasTriangle& item, int index, Target<Real>& target,
+               Recorder& recorder) {
+  if (item.filled) fill_shape(inputs, item, index, target, recorder);
   if (!item.outline) return;
   const LinePaint<Real> paint{Vec3<Real>(*item.outline), Blend::replace, {}};
   for (const auto& [from, to] : {std::array<std::size_t, 2>{0, 1}, {1, 2}, {0, 2}})
-    draw_canvas_segment(pass, item.points[from], item.points[to], paint, target, recorder);
+    draw_canvas_segment(inputs, item.points[from], item.points[to], paint, target, recorder);
 }
 
 template <class Real, class Recorder>
-void draw_item(const Pass<Real>& pass, const CanvasPolygon& item, int index, Target<Real>& target, Recorder& recorder) {
-  if (item.filled) fill_shape(pass, item, index, target, recorder);
+void draw_item(const RasterInputs<Real>& inputs, const CanvasPolygon& item, int index, Target<Real>& target,
+               Recorder& recorder) {
+  if (item.filled) fill_shape(inputs, item, index, target, recorder);
   if (!item.outline) return;
   const LinePaint<Real> paint{Vec3<Real>(*item.outline), Blend::replace, {}};
   const std::size_t count = item.vertices.size();
   for (std::size_t i = 0; i < count; ++i)
-    draw_canvas_segment(pass, item.vertices[i].point, item.vertices[(i + 1) % count].point, paint, target, recorder);
+    draw_canvas_segment(inputs, item.vertices[i].point, item.vertices[(i + 1) % count].point, paint, target, recorder);
 }
 
 }  // namespace
 
 template <class Real, class Recorder>
-void draw_edge(const Pass<Real>& pass, const ScreenLine<Real>& line, Target<Real>& target, Recorder& recorder) {
-  const Surface<Real>& surface = pass.surfaces[line.surface];
+void draw_edge(const RasterInputs<Real>& inputs, const ScreenLine<Real>& line, Target<Real>& target,
+               Recorder& recorder) {
+  const Surface<Real>& surface = inputs.surfaces[line.surface];
   const LinePaint<Real> paint{
       surface.material.colour, Blend::replace, {surface.object, surface.sphere ? 0 : line.triangle}};
-  draw_line(pass, line, paint, target, recorder);
+  draw_line(inputs, line, paint, target, recorder);
 }
 
 template <class Real, class Recorder>
-void draw_canvas_items(const Pass<Real>& pass, Target<Real>& target, Recorder& recorder, std::size_t most) {
+void draw_canvas_items(const RasterInputs<Real>& inputs, Target<Real>& target, Recorder& recorder, std::size_t most) {
   int index = 0;
-  for (const CanvasItem& item : *pass.scene->canvas_items) {
+  for (const CanvasItem& item : *inputs.scene->canvas_items) {
     if (static_cast<std::size_t>(index) >= most) return;
-    std::visit([&](const auto& shape) { draw_item(pass, shape, index, target, recorder); }, item);
+    std::visit([&](const auto& shape) { draw_item(inputs, shape, index, target, recorder); }, item);
     ++index;
   }
 }
@@ -128,8 +131,8 @@ std::uint64_t count_canvas_lines(const Scene& scene) {
 
 // NOLINTBEGIN(bugprone-macro-parentheses): Real and Recorder are types
 #define PS_INSTANTIATE(Real, Recorder)                                                                                 \
-  template void draw_edge(const Pass<Real>&, const ScreenLine<Real>&, Target<Real>&, Recorder&);                       \
-  template void draw_canvas_items(const Pass<Real>&, Target<Real>&, Recorder&, std::size_t);
+  template void draw_edge(const RasterInputs<Real>&, const ScreenLine<Real>&, Target<Real>&, Recorder&);               \
+  template void draw_canvas_items(const RasterInputs<Real>&, Target<Real>&, Recorder&, std::size_t);
 PS_INSTANTIATE(float, CountingRecorder)
 PS_INSTANTIATE(float, PixelRecorder)
 PS_INSTANTIATE(double, CountingRecorder)

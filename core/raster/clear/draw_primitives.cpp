@@ -18,27 +18,27 @@ namespace {
 template <class Real, class Recorder>
 class TriangleDrawer {
  public:
-  TriangleDrawer(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry, const DrawStep& step,
+  TriangleDrawer(const RasterInputs<Real>& inputs, const ScreenGeometry<Real>& geometry, const DrawStep& step,
                  Target<Real>& target, Recorder& recorder)
-      : pass_(pass), geometry_(geometry), step_(step), target_(target), recorder_(recorder),
-        depth_buffer_(pass.settings.visibility == Visibility::depth_buffer),
-        depth_by_plane_(finds_depth_by_plane(pass.settings)) {}
+      : inputs_(inputs), geometry_(geometry), step_(step), target_(target), recorder_(recorder),
+        depth_buffer_(inputs.settings.visibility == Visibility::depth_buffer),
+        depth_by_plane_(finds_depth_by_plane(inputs.settings)) {}
 
   void set_up(const PrimitiveRef& ref) {
     ref_ = ref;
-    setup_ = set_up_triangle(pass_, geometry_, ref);
+    setup_ = set_up_triangle(inputs_, geometry_, ref);
   }
 
   void draw(const PrimitiveRef& ref) {
     set_up(ref);
     const ScreenTriangle<Real>& triangle = *setup_.triangle;
     const TileRect& rect = target_.rect();
-    const TileRect box = common_part(tested_box(pass_, triangle), rect);
+    const TileRect box = common_part(tested_box(inputs_, triangle), rect);
     if constexpr (Recorder::records)
       if (step_.is_first() && target_.samples() == 1) report_if_missed(rect);
     if (is_empty(box)) return;
     if (target_.samples() > 1) return draw_multisampled(box);
-    walk_coverage<Real>(pass_.coverage, coverage_input(pass_, triangle, setup_.edges), box, *this);
+    walk_coverage<Real>(inputs_.coverage, coverage_input(inputs_, triangle, setup_.edges), box, *this);
   }
 
   // The sink of coverage strategies (coverage/input.h).
@@ -50,22 +50,22 @@ class TriangleDrawer {
   void cover(int column, int row, const std::array<std::int64_t, 3>& values) {
     recorder_.count(Counter::fragments);
     if (target_.wants(Channel::overdraw) && step_.is_first()) ++target_.frame().overdraw.at(column, row);
-    const Fragment<Real> fragment = make_fragment(pass_, setup_, column, row, values);
-    if (is_cut_out(pass_, setup_, fragment, recorder_)) return report_cut_out(values);
+    const Fragment<Real> fragment = make_fragment(inputs_, setup_, column, row, values);
+    if (is_cut_out(inputs_, setup_, fragment, recorder_)) return report_cut_out(values);
     Real depth = 0;
     Real stored = 0;
     auto verdict = FragmentEvent::Depth::off;
     if (depth_buffer_) {
       count_depth_test();
-      depth = pass_.depth.encode(depth_value(pass_, setup_, fragment, pass_.grid.sample));
+      depth = inputs_.depth.encode(depth_value(inputs_, setup_, fragment, inputs_.grid.sample));
       stored = target_.depth(column, row);
       const bool passed =
-          step_.is_first() ? is_nearer(pass_.depth, depth, stored) : depth == stored && is_next(column, row);
+          step_.is_first() ? is_nearer(inputs_.depth, depth, stored) : depth == stored && is_next(column, row);
       verdict = passed ? FragmentEvent::Depth::passed : FragmentEvent::Depth::failed;
     }
     recorder_.begin([&] { return event_of_pass(fragment, values, verdict, stored, depth); });
     if constexpr (Recorder::records)
-      if (!pass_.coverage.is_common() && step_.is_first()) recorder_.event([&] { return explain(column, row); });
+      if (!inputs_.coverage.is_common() && step_.is_first()) recorder_.event([&] { return explain(column, row); });
     if (verdict == FragmentEvent::Depth::failed)
       recorder_.count(Counter::depth_failures);
     else
@@ -74,7 +74,7 @@ class TriangleDrawer {
   }
   void report_cut_out(const std::array<std::int64_t, 3>& values) {
     recorder_.event([&] {
-      RejectEvent event = not_covered_event(pass_, setup_, values);
+      RejectEvent event = not_covered_event(inputs_, setup_, values);
       event.reason = RejectReason::cut_out;
       event.detail.clear();
       return event;
@@ -105,7 +105,7 @@ class TriangleDrawer {
   }
   FragmentEvent event_of_pass(const Fragment<Real>& fragment, const std::array<std::int64_t, 3>& values,
                               FragmentEvent::Depth verdict, Real stored, Real depth) const {
-    FragmentEvent event = fragment_event(pass_, setup_, fragment, values, verdict, stored, depth);
+    FragmentEvent event = fragment_event(inputs_, setup_, fragment, values, verdict, stored, depth);
     switch (step_.stage) {
     case DrawStage::whole:
       break;
@@ -145,7 +145,7 @@ class TriangleDrawer {
   void shade_and_write(const Fragment<Real>& fragment) {
     const int column = fragment.column, row = fragment.row;
     const bool one_light = step_.stage == DrawStage::one_light;
-    const ShadedFragment<Real> shaded = shade_fragment(pass_, geometry_, setup_, fragment, recorder_,
+    const ShadedFragment<Real> shaded = shade_fragment(inputs_, geometry_, setup_, fragment, recorder_,
                                                        one_light ? std::optional<int>(step_.light) : std::nullopt);
     const Vec3<Real> before = target_.colour(column, row);
     // Passes after the first light's add to the picture.
@@ -153,40 +153,40 @@ class TriangleDrawer {
     recorder_.event([&] { return WriteEvent{event_id(setup_), Vec3d(before), Vec3d(shaded.colour), Vec3d(after)}; });
     recorder_.count(Counter::pixels_written);
     target_.set_colour(column, row, after);
-    if (pass_.channels != Channel::none) write_channels(fragment, shaded);
+    if (inputs_.channels != Channel::none) write_channels(fragment, shaded);
   }
 
   /// Multisampling: coverage and depth for each sub-sample, one shade for the pixel, at its centre.
   void draw_multisampled(const TileRect& box) {
-    const SubSampleEdges sub = make_sub_sample_edges(setup_.edges, pass_.grid.subpixel_bits);
+    const SubSampleEdges sub = make_sub_sample_edges(setup_.edges, inputs_.grid.subpixel_bits);
     for (int row = box.y0; row < box.y1; ++row)
       for (int column = box.x0; column < box.x1; ++column) cover_samples(sub, column, row);
   }
   void cover_samples(const SubSampleEdges& sub, int column, int row) {
-    const auto pattern = sample_pattern(pass_.grid.samples);
+    const auto pattern = sample_pattern(inputs_.grid.samples);
     const auto middle = setup_.edges.at(column, row);
     count_tests(Counter::coverage_tests, pattern.size(), {column, row, column + 1, row + 1});
-    const Fragment<Real> fragment = make_fragment(pass_, setup_, column, row, middle);
+    const Fragment<Real> fragment = make_fragment(inputs_, setup_, column, row, middle);
     std::array<bool, 8> visible{};
     int covered = 0;
     for (std::size_t s = 0; s < pattern.size(); ++s) covered += visible[s] = sub.inside(sub.at(middle, pattern[s]));
     if (covered == 0) {
-      if constexpr (Recorder::records) recorder_.event([&] { return not_covered_event(pass_, setup_, middle); });
+      if constexpr (Recorder::records) recorder_.event([&] { return not_covered_event(inputs_, setup_, middle); });
       return;
     }
-    if (is_cut_out(pass_, setup_, fragment, recorder_)) return report_cut_out(middle);
+    if (is_cut_out(inputs_, setup_, fragment, recorder_)) return report_cut_out(middle);
     int passed = 0;
     std::optional<Real> first_stored, first_depth;
     for (std::size_t s = 0; s < pattern.size(); ++s) {
       if (!visible[s]) continue;
       if (depth_buffer_) {
         count_depth_test();
-        const auto at_sample = sub_sample_fragment(pass_, setup_, sub, column, row, sub.at(middle, pattern[s]));
-        const Real depth =
-            pass_.depth.encode(depth_value(pass_, setup_, at_sample, place_in_pixel(pattern[s], pass_.grid.sample)));
+        const auto at_sample = sub_sample_fragment(inputs_, setup_, sub, column, row, sub.at(middle, pattern[s]));
+        const Real depth = inputs_.depth.encode(
+            depth_value(inputs_, setup_, at_sample, place_in_pixel(pattern[s], inputs_.grid.sample)));
         Real& stored = target_.sample_depth(column, row, static_cast<int>(s));
         if (!first_depth) first_stored = stored, first_depth = depth;
-        visible[s] = is_nearer(pass_.depth, depth, stored);
+        visible[s] = is_nearer(inputs_.depth, depth, stored);
         if (visible[s]) stored = depth;
       }
       passed += visible[s];
@@ -200,8 +200,8 @@ class TriangleDrawer {
                            : passed > 0   ? FragmentEvent::Depth::passed
                                           : FragmentEvent::Depth::failed;
       FragmentEvent event =
-          fragment_event(pass_, setup_, fragment, middle, verdict, first_stored.value_or(0), first_depth.value_or(0));
-      event.samples = pass_.grid.samples;
+          fragment_event(inputs_, setup_, fragment, middle, verdict, first_stored.value_or(0), first_depth.value_or(0));
+      event.samples = inputs_.grid.samples;
       event.samples_covered = covered;
       return event;
     });
@@ -209,26 +209,26 @@ class TriangleDrawer {
     recorder_.end();
   }
   void write_samples(const Fragment<Real>& fragment, const std::array<bool, 8>& visible) {
-    const ShadedFragment<Real> shaded = shade_fragment(pass_, geometry_, setup_, fragment, recorder_);
+    const ShadedFragment<Real> shaded = shade_fragment(inputs_, geometry_, setup_, fragment, recorder_);
     const Vec3<Real> before = target_.sample_colour(fragment.column, fragment.row, 0);
-    for (int s = 0; s < pass_.grid.samples; ++s)
+    for (int s = 0; s < inputs_.grid.samples; ++s)
       if (visible[static_cast<std::size_t>(s)]) target_.sample_colour(fragment.column, fragment.row, s) = shaded.colour;
     recorder_.event([&] { return written_samples(visible); });
     recorder_.event([&] {
       return WriteEvent{event_id(setup_), Vec3d(before), Vec3d(shaded.colour), Vec3d(shaded.colour)};
     });
     recorder_.count(Counter::pixels_written);
-    if (pass_.channels != Channel::none && visible[0]) write_channels(fragment, shaded);
+    if (inputs_.channels != Channel::none && visible[0]) write_channels(fragment, shaded);
   }
 
   /// Which of the pixel's samples get the colour, for the inspector: their numbers are the event's values.
   CoverageEvent written_samples(const std::array<bool, 8>& visible) const {
     CoverageEvent event;
     event.id = event_id(setup_);
-    event.strategy = pass_.coverage.strategy;
+    event.strategy = inputs_.coverage.strategy;
     event.covered = true;
-    event.tests = pass_.grid.samples;
-    for (int s = 0; s < pass_.grid.samples; ++s)
+    event.tests = inputs_.grid.samples;
+    for (int s = 0; s < inputs_.grid.samples; ++s)
       if (visible[static_cast<std::size_t>(s)]) event.values.push_back(s);
     event.how = std::to_string(event.values.size()) + " of " + std::to_string(event.tests) + " samples are written";
     return event;
@@ -259,7 +259,7 @@ class TriangleDrawer {
     if (target_.wants(Channel::normal)) frame.normal.at(x, y) = Vec3f(shaded.normal);
     if (target_.wants(Channel::barycentric))
       frame.barycentric.at(x, y) =
-          sphere ? Vec3f(0) : Vec3f(whole_weights(setup_, space_weights(pass_, setup_, fragment)));
+          sphere ? Vec3f(0) : Vec3f(whole_weights(setup_, space_weights(inputs_, setup_, fragment)));
     if (target_.wants(Channel::uv)) frame.uv.at(x, y) = Vec2f(shaded.uv);
     if (target_.wants(Channel::ids)) frame.ids.at(x, y) = shown_id(setup_);
     if (target_.wants(Channel::facing)) frame.facing.at(x, y) = facing(x, y);
@@ -272,10 +272,10 @@ class TriangleDrawer {
 
   /// Cosine between the triangle's normal and the direction to the eye.
   float facing(int column, int row) const {
-    const Vec2d v = pass_.viewport.at(column, row);
-    Vec3d ray = pass_.camera.forward;
-    if (pass_.perspective())
-      ray = pass_.camera.right * v.x + pass_.camera.up * v.y + pass_.camera.forward * pass_.viewport.distance;
+    const Vec2d v = inputs_.viewport.at(column, row);
+    Vec3d ray = inputs_.camera.forward;
+    if (inputs_.perspective())
+      ray = inputs_.camera.right * v.x + inputs_.camera.up * v.y + inputs_.camera.forward * inputs_.viewport.distance;
     return static_cast<float>(-dot(ray, Vec3d(setup_.triangle->face_normal)) / std::sqrt(dot(ray, ray)));
   }
 
@@ -284,19 +284,19 @@ class TriangleDrawer {
     const CoverageEvent decision = explain(rect.x0, rect.y0);
     if (decision.covered) return;
     recorder_.event([&] {
-      RejectEvent event = not_covered_event(pass_, setup_, setup_.edges.at(rect.x0, rect.y0));
-      if (!pass_.coverage.is_common()) event.detail = decision.how;
+      RejectEvent event = not_covered_event(inputs_, setup_, setup_.edges.at(rect.x0, rect.y0));
+      if (!inputs_.coverage.is_common()) event.detail = decision.how;
       return event;
     });
   }
   CoverageEvent explain(int column, int row) const {
     CoverageEvent event =
-        explain_coverage<Real>(pass_.coverage, coverage_input(pass_, *setup_.triangle, setup_.edges), column, row);
+        explain_coverage<Real>(inputs_.coverage, coverage_input(inputs_, *setup_.triangle, setup_.edges), column, row);
     event.id = event_id(setup_);
     return event;
   }
 
-  const Pass<Real>& pass_;
+  const RasterInputs<Real>& inputs_;
   const ScreenGeometry<Real>& geometry_;
   DrawStep step_;
   Target<Real>& target_;
@@ -309,21 +309,21 @@ class TriangleDrawer {
 }  // namespace
 
 template <class Real, class Recorder>
-void draw_primitives(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
+void draw_primitives(const RasterInputs<Real>& inputs, const ScreenGeometry<Real>& geometry,
                      std::span<const PrimitiveRef> primitives, const DrawStep& step, Target<Real>& target,
                      Recorder& recorder) {
-  TriangleDrawer<Real, Recorder> triangles(pass, geometry, step, target, recorder);
+  TriangleDrawer<Real, Recorder> triangles(inputs, geometry, step, target, recorder);
   for (const PrimitiveRef& ref : primitives)
-    if (pass.settings.draw == Draw::filled)
+    if (inputs.settings.draw == Draw::filled)
       triangles.draw(ref);
     else
-      draw_edge(pass, geometry.batches[ref.batch].lines[ref.index], target, recorder);
+      draw_edge(inputs, geometry.batches[ref.batch].lines[ref.index], target, recorder);
 }
 
 template <class Real, class Recorder>
-void shade_winners(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry, Target<Real>& target,
+void shade_winners(const RasterInputs<Real>& inputs, const ScreenGeometry<Real>& geometry, Target<Real>& target,
                    Recorder& recorder) {
-  TriangleDrawer<Real, Recorder> triangles(pass, geometry, {DrawStage::shade_visible, 0}, target, recorder);
+  TriangleDrawer<Real, Recorder> triangles(inputs, geometry, {DrawStage::shade_visible, 0}, target, recorder);
   const TileRect& rect = target.rect();
   for (int row = rect.y0; row < rect.y1; ++row)
     for (int column = rect.x0; column < rect.x1; ++column)
@@ -332,9 +332,9 @@ void shade_winners(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
 
 // NOLINTBEGIN(bugprone-macro-parentheses): Real and Recorder are types
 #define PS_INSTANTIATE(Real, Recorder)                                                                                 \
-  template void draw_primitives(const Pass<Real>&, const ScreenGeometry<Real>&, std::span<const PrimitiveRef>,         \
+  template void draw_primitives(const RasterInputs<Real>&, const ScreenGeometry<Real>&, std::span<const PrimitiveRef>, \
                                 const DrawStep&, Target<Real>&, Recorder&);                                            \
-  template void shade_winners(const Pass<Real>&, const ScreenGeometry<Real>&, Target<Real>&, Recorder&);
+  template void shade_winners(const RasterInputs<Real>&, const ScreenGeometry<Real>&, Target<Real>&, Recorder&);
 PS_INSTANTIATE(float, CountingRecorder)
 PS_INSTANTIATE(float, PixelRecorder)
 PS_INSTANTIATE(double, CountingRecorder)

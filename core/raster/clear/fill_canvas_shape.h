@@ -7,7 +7,7 @@
 #include "image/mixing.h"
 #include "raster/base/fragment_event.h"
 #include "raster/base/guard_band.h"
-#include "raster/base/pass.h"
+#include "raster/base/raster_inputs.h"
 #include "raster/base/target.h"
 #include "raster/clear/canvas_outline.h"
 #include "raster/clear/polygon_rows.h"
@@ -68,22 +68,23 @@ class PolygonNote {
 
 /// One triangle of the fan that the guard band left of a canvas triangle.
 template <class Real, class Recorder>
-void fill_piece(const Pass<Real>& pass, const CanvasTriangle& item, const std::array<ClipVertex<Real>, 3>& corner,
-                Target<Real>& target, Recorder& recorder, PolygonNote<Recorder>& note) {
+void fill_piece(const RasterInputs<Real>& inputs, const CanvasTriangle& item,
+                const std::array<ClipVertex<Real>, 3>& corner, Target<Real>& target, Recorder& recorder,
+                PolygonNote<Recorder>& note) {
   std::array<FixedPoint, 3> fixed;
   std::array<Vec3<Real>, 3> colours;
   for (std::size_t k = 0; k < 3; ++k) {
-    fixed[k] = to_fixed(Vec2<Real>(corner[k].position.x, corner[k].position.y), pass.grid.subpixel_bits);
+    fixed[k] = to_fixed(Vec2<Real>(corner[k].position.x, corner[k].position.y), inputs.grid.subpixel_bits);
     colours[k] = Vec3<Real>(0);
     for (int i = 0; i < 3; ++i) {
       const auto source = static_cast<std::size_t>(i);
       colours[k] += Vec3<Real>(item.colours[source] * item.h[source]) * corner[k].weights[i];
     }
   }
-  const auto edges = make_edges(fixed, pass.grid);
+  const auto edges = make_edges(fixed, inputs.grid);
   if (!edges) return;
   const Real inverse_area = Real(1) / static_cast<Real>(edges->area);
-  const TileRect box = sample_box(fixed, pass.grid);
+  const TileRect box = sample_box(fixed, inputs.grid);
   const TileRect& rect = target.rect();
   for (int row = std::max(box.y0, rect.y0); row < std::min(box.y1, rect.y1); ++row)
     for (int column = std::max(box.x0, rect.x0); column < std::min(box.x1, rect.x1); ++column) {
@@ -97,7 +98,7 @@ void fill_piece(const Pass<Real>& pass, const CanvasTriangle& item, const std::a
             return RejectEvent{{},
                                RejectReason::not_covered,
                                losing_edge(*edges, values),
-                               edges_in_pixels(values, pass.grid.subpixel_bits)};
+                               edges_in_pixels(values, inputs.grid.subpixel_bits)};
           });
         continue;
       }
@@ -113,10 +114,10 @@ void fill_piece(const Pass<Real>& pass, const CanvasTriangle& item, const std::a
       recorder.event([&] {
         FragmentEvent event;
         for (std::size_t i = 0; i < 3; ++i) {
-          event.corners[i] = canvas_pixels(fixed[i], pass.grid.subpixel_bits);
+          event.corners[i] = canvas_pixels(fixed[i], inputs.grid.subpixel_bits);
           event.weights_2d[i] = event.weights[i] = static_cast<double>(w[i]);
         }
-        event.edges = edges_in_pixels(values, pass.grid.subpixel_bits);
+        event.edges = edges_in_pixels(values, inputs.grid.subpixel_bits);
         event.tie_owned = {values[0] == 0, values[1] == 0, values[2] == 0};
         event.depth_stored = event.depth_new = 0;
         event.clipped_into = 1;
@@ -128,8 +129,8 @@ void fill_piece(const Pass<Real>& pass, const CanvasTriangle& item, const std::a
 }
 
 template <class Real, class Recorder>
-void fill_triangle(const Pass<Real>& pass, const CanvasTriangle& item, Target<Real>& target, Recorder& recorder,
-                   PolygonNote<Recorder>& note) {
+void fill_triangle(const RasterInputs<Real>& inputs, const CanvasTriangle& item, Target<Real>& target,
+                   Recorder& recorder, PolygonNote<Recorder>& note) {
   // The difference of two coordinates is still a number.
   constexpr double farthest = std::numeric_limits<Real>::max() / 4;
   const auto within = [farthest](double coordinate) {
@@ -139,14 +140,14 @@ void fill_triangle(const Pass<Real>& pass, const CanvasTriangle& item, Target<Re
   for (std::size_t k = 0; k < 3; ++k) {
     Vec3<Real> weights(0);
     weights[static_cast<int>(k)] = 1;
-    polygon.push(
-        {{within(item.points[k].x) + pass.projection.centre.x, pass.projection.centre.y - within(item.points[k].y), 0},
-         weights});
+    polygon.push({{within(item.points[k].x) + inputs.projection.centre.x,
+                   inputs.projection.centre.y - within(item.points[k].y), 0},
+                  weights});
   }
   bool split = false;
   if (!cut_to_guard_band(polygon, split)) return;
   for (int i = 1; i + 1 < polygon.size; ++i)
-    fill_piece<Real>(pass, item,
+    fill_piece<Real>(inputs, item,
                      {polygon.corners[0], polygon.corners[static_cast<std::size_t>(i)],
                       polygon.corners[static_cast<std::size_t>(i) + 1]},
                      target, recorder, note);
@@ -197,19 +198,21 @@ void fill_rows(const CanvasOutline& outline, Blend blend, int index, Target<Real
 }
 
 template <class Real, class Recorder, class Shape>
-void fill_shape(const Pass<Real>& pass, const Shape& shape, int index, Target<Real>& target, Recorder& recorder) {
-  const Vec2i size{pass.viewport.columns, pass.viewport.rows};
-  switch (pass.settings.canvas_fill) {
+void fill_shape(const RasterInputs<Real>& inputs, const Shape& shape, int index, Target<Real>& target,
+                Recorder& recorder) {
+  const Vec2i size{inputs.viewport.columns, inputs.viewport.rows};
+  switch (inputs.settings.canvas_fill) {
   case CanvasFill::rows:
-    return fill_rows(canvas_outline(shape, size, pass.settings.sample_position), shape.blend, index, target, recorder);
+    return fill_rows(canvas_outline(shape, size, inputs.settings.sample_position), shape.blend, index, target,
+                     recorder);
   case CanvasFill::edges: {
     const Vec2d middle(size.x / 2, size.y - size.y / 2);
     if constexpr (std::is_same_v<Shape, CanvasPolygon>) {
       PolygonNote<Recorder> note(recorder, index, &shape, middle);
-      for (const CanvasTriangle& piece : triangles_of(shape)) fill_triangle(pass, piece, target, recorder, note);
+      for (const CanvasTriangle& piece : triangles_of(shape)) fill_triangle(inputs, piece, target, recorder, note);
     } else {
       PolygonNote<Recorder> note(recorder, index, nullptr, middle);
-      fill_triangle(pass, shape, target, recorder, note);
+      fill_triangle(inputs, shape, target, recorder, note);
     }
   }
   }

@@ -31,7 +31,7 @@ struct ShadedFragment {
 /// How fast u and v change from pixel to pixel, in texels: derivatives of the interpolated quotients, not differences
 /// between neighbours.
 template <class Real>
-TextureDerivatives<Real> uv_derivatives(const Pass<Real>& pass, const TriangleSetup<Real>& setup,
+TextureDerivatives<Real> uv_derivatives(const RasterInputs<Real>& inputs, const TriangleSetup<Real>& setup,
                                         const Fragment<Real>& fragment, const Vec2<Real>& uv,
                                         const Image<Vec3f>& texture) {
   const auto stride = static_cast<std::size_t>(setup.surface->layout.count);
@@ -42,7 +42,7 @@ TextureDerivatives<Real> uv_derivatives(const Pass<Real>& pass, const TriangleSe
     for (std::size_t i = 0; i < 3; ++i) change[i] = static_cast<Real>(step[i]) * setup.inverse_area;
     Vec2<Real> d(change[0] * a[0] + change[1] * a[stride] + change[2] * a[2 * stride],
                  change[0] * a[1] + change[1] * a[stride + 1] + change[2] * a[2 * stride + 1]);
-    if (pass.divides()) {  // (u/z) / (1/z): the quotient rule
+    if (inputs.divides()) {  // (u/z) / (1/z): the quotient rule
       const Real depth_change = weighted(change, setup.triangle->inverse_z);
       d.x = (d.x - uv.x * depth_change) * fragment.z;
       d.y = (d.y - uv.y * depth_change) * fragment.z;
@@ -74,27 +74,27 @@ struct FragmentLookup {
 };
 
 template <class Real>
-FragmentLookup<Real> fragment_lookup(const Pass<Real>& pass, const TriangleSetup<Real>& setup,
+FragmentLookup<Real> fragment_lookup(const RasterInputs<Real>& inputs, const TriangleSetup<Real>& setup,
                                      const Fragment<Real>& fragment, int index, const Vec2<Real>& uv_of_surface) {
-  const MipChain& chain = (*pass.textures)[static_cast<std::size_t>(index)];
-  FragmentLookup<Real> how{chain, {pass.settings.texture_filter, wrap_of(chain, pass.settings), 0}, {}};
+  const MipChain& chain = (*inputs.textures)[static_cast<std::size_t>(index)];
+  FragmentLookup<Real> how{chain, {inputs.settings.texture_filter, wrap_of(chain, inputs.settings), 0}, {}};
   if (how.lookup.filter == TextureFilter::trilinear || how.lookup.filter == TextureFilter::mipmap) {
-    const TextureDerivatives<Real> derivatives = uv_derivatives(pass, setup, fragment, uv_of_surface, *chain.base);
-    const Real bias = static_cast<Real>(pass.settings.mip_bias);
+    const TextureDerivatives<Real> derivatives = uv_derivatives(inputs, setup, fragment, uv_of_surface, *chain.base);
+    const Real bias = static_cast<Real>(inputs.settings.mip_bias);
     const Vec2<Real> size(static_cast<Real>(chain.base->width()), static_cast<Real>(chain.base->height()));
     how.lookup.level = mip_level(derivatives, bias);
-    if (pass.settings.anisotropy > 1)
-      how.footprint = anisotropic_footprint(derivatives, size, pass.settings.anisotropy, bias);
+    if (inputs.settings.anisotropy > 1)
+      how.footprint = anisotropic_footprint(derivatives, size, inputs.settings.anisotropy, bias);
   }
   return how;
 }
 
 /// A texture at the fragment (CGFS ch. 14): its colour, or what else it holds.
 template <class Real, class Recorder>
-TextureSample<Real> read_texture(const Pass<Real>& pass, const TriangleSetup<Real>& setup,
+TextureSample<Real> read_texture(const RasterInputs<Real>& inputs, const TriangleSetup<Real>& setup,
                                  const Fragment<Real>& fragment, int index, const TexturePlace<Real>& place,
                                  Recorder& recorder, TextureUse use = TextureUse::surface) {
-  const FragmentLookup<Real> how = fragment_lookup(pass, setup, fragment, index, place.of_surface);
+  const FragmentLookup<Real> how = fragment_lookup(inputs, setup, fragment, index, place.of_surface);
   const TextureSample<Real> sample = how.read(place.uv);
   recorder.count(Counter::texel_reads, static_cast<std::uint64_t>(sample.texels));
   recorder.event([&] {
@@ -110,22 +110,24 @@ TextureSample<Real> read_texture(const Pass<Real>& pass, const TriangleSetup<Rea
 }
 
 template <class Real>
-Vec3<Real> shading_normal(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment) {
+Vec3<Real> shading_normal(const RasterInputs<Real>& inputs, const TriangleSetup<Real>& setup,
+                          const Fragment<Real>& fragment) {
   const int slot = setup.surface->layout.normal;
   if (slot == AttributeLayout::absent) return setup.triangle->face_normal;
-  return interpolate3(pass, setup, fragment, slot);
+  return interpolate3(inputs, setup, fragment, slot);
 }
 
 /// Normal mapping (CGFS ch. 15): the normal that the map holds, turned from tangent space to the world.
 template <class Real, class Recorder>
-Vec3<Real> map_normal(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
-                      const TexturePlace<Real>& place, const Vec3<Real>& normal, Recorder& recorder) {
+Vec3<Real> map_normal(const RasterInputs<Real>& inputs, const TriangleSetup<Real>& setup,
+                      const Fragment<Real>& fragment, const TexturePlace<Real>& place, const Vec3<Real>& normal,
+                      Recorder& recorder) {
   const int slot = setup.surface->layout.tangents, index = setup.surface->material.normal_map;
-  const TangentFrame<Real> frame{interpolate3(pass, setup, fragment, slot),
-                                 interpolate3(pass, setup, fragment, slot + 3)};
+  const TangentFrame<Real> frame{interpolate3(inputs, setup, fragment, slot),
+                                 interpolate3(inputs, setup, fragment, slot + 3)};
   const auto space = tangent_space(normal, frame);
   if (!space) return normal;
-  const Vec3<Real> stored = stored_normal(read_texture(pass, setup, fragment, index, place, recorder).colour);
+  const Vec3<Real> stored = stored_normal(read_texture(inputs, setup, fragment, index, place, recorder).colour);
   const Vec3<Real> mapped = mapped_normal(*space, stored);
   recorder.event([&] {
     return NormalMapEvent{index,         Vec2d(place.uv), Vec3d(stored), Vec3d(space->tangent), Vec3d(space->bitangent),
@@ -136,52 +138,53 @@ Vec3<Real> map_normal(const Pass<Real>& pass, const TriangleSetup<Real>& setup, 
 
 /// Parallax mapping (shade/parallax_mapping.h): the texture coordinates that the relief shows.
 template <class Real, class Recorder>
-Vec2<Real> relief_uv(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
+Vec2<Real> relief_uv(const RasterInputs<Real>& inputs, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
                      const Vec2<Real>& uv, const Vec3<Real>& normal, Recorder& recorder) {
   const AttributeLayout& layout = setup.surface->layout;
   const ShadingMaterial<Real>& material = setup.surface->material;
-  const TangentFrame<Real> frame{interpolate3(pass, setup, fragment, layout.tangents),
-                                 interpolate3(pass, setup, fragment, layout.tangents + 3)};
-  const Vec3<Real> to_eye = pass.to_eye(interpolate3(pass, setup, fragment, layout.position));
-  const auto shift = relief_shift(normal, frame, to_eye, material.relief_depth, pass.settings.parallax);
+  const TangentFrame<Real> frame{interpolate3(inputs, setup, fragment, layout.tangents),
+                                 interpolate3(inputs, setup, fragment, layout.tangents + 3)};
+  const Vec3<Real> to_eye = inputs.to_eye(interpolate3(inputs, setup, fragment, layout.position));
+  const auto shift = relief_shift(normal, frame, to_eye, material.relief_depth, inputs.settings.parallax);
   if (!shift) return uv;
-  const FragmentLookup<Real> how = fragment_lookup(pass, setup, fragment, material.height_map, uv);
+  const FragmentLookup<Real> how = fragment_lookup(inputs, setup, fragment, material.height_map, uv);
   const auto depth_at = [&](const Vec2<Real>& at) {
     const TextureSample<Real> sample = how.read(at);
     recorder.count(Counter::texel_reads, static_cast<std::uint64_t>(sample.texels));
     return Real(1) - sample.colour.x;
   };
-  return parallax_uv(material.height_map, uv, *shift, pass.settings, depth_at, recorder);
+  return parallax_uv(material.height_map, uv, *shift, inputs.settings, depth_at, recorder);
 }
 
 /// Light on the fragment: computed here (Phong), or carried over from the vertices (Gouraud) or the triangle (flat);
 /// the recorder then gets the lighting events of those points.
 template <class Real, class Recorder>
-Lighting<Real> light_fragment(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
+Lighting<Real> light_fragment(const RasterInputs<Real>& inputs, const ScreenGeometry<Real>& geometry,
                               const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
                               const Vec3<Real>& normal, Recorder& recorder, std::optional<int> only_light) {
   const AttributeLayout& layout = setup.surface->layout;
-  switch (pass.settings.shading) {
+  switch (inputs.settings.shading) {
   case Shading::phong: {
     const bool has_position = layout.position != AttributeLayout::absent;
-    const Vec3<Real> position = has_position ? interpolate3(pass, setup, fragment, layout.position) : Vec3<Real>(0);
-    return light_at(pass, *setup.surface, position, normal, recorder, only_light);
+    const Vec3<Real> position = has_position ? interpolate3(inputs, setup, fragment, layout.position) : Vec3<Real>(0);
+    return light_at(inputs, *setup.surface, position, normal, recorder, only_light);
   }
   case Shading::gouraud: {
     if constexpr (Recorder::records) {
-      const CornerSource<Real> source = corner_source(pass, geometry, *setup.triangle);
+      const CornerSource<Real> source = corner_source(inputs, geometry, *setup.triangle);
       for (std::size_t k = 0; k < 3; ++k)
-        light_of_point(pass, setup, light_point(pass, setup, fragment, source, k), recorder);
+        light_of_point(inputs, setup, light_point(inputs, setup, fragment, source, k), recorder);
     }
     Lighting<Real> lighting;
-    lighting.light = interpolate3(pass, setup, fragment, layout.light);
-    if (layout.extra != AttributeLayout::absent) lighting.extra = interpolate3(pass, setup, fragment, layout.extra);
+    lighting.light = interpolate3(inputs, setup, fragment, layout.light);
+    if (layout.extra != AttributeLayout::absent) lighting.extra = interpolate3(inputs, setup, fragment, layout.extra);
     return lighting;
   }
   case Shading::flat: {
     if constexpr (Recorder::records) {
-      const FlatPoint<Real> point = flat_point(corner_source(pass, geometry, *setup.triangle), pass.settings.normals);
-      light_of_point(pass, setup, LightPoint<Real>{point.position, point.normal}, recorder);
+      const FlatPoint<Real> point =
+          flat_point(corner_source(inputs, geometry, *setup.triangle), inputs.settings.normals);
+      light_of_point(inputs, setup, LightPoint<Real>{point.position, point.normal}, recorder);
     }
     return {flat_constant(setup, 0), flat_constant(setup, 1)};
   }
@@ -192,47 +195,47 @@ Lighting<Real> light_fragment(const Pass<Real>& pass, const ScreenGeometry<Real>
 /// The surface as its maps of light make it at the fragment (MTL: map_Ks, map_Ka). Only Phong shading computes light
 /// where they are read.
 template <class Real, class Recorder>
-Surface<Real> surface_at(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
-                         const TexturePlace<Real>& place, Recorder& recorder) {
+Surface<Real> surface_at(const RasterInputs<Real>& inputs, const TriangleSetup<Real>& setup,
+                         const Fragment<Real>& fragment, const TexturePlace<Real>& place, Recorder& recorder) {
   Surface<Real> own = *setup.surface;
   ShadingMaterial<Real>& material = own.material;
   if (material.specular_map >= 0)
     *material.specular_colour *=
-        read_texture(pass, setup, fragment, material.specular_map, place, recorder, TextureUse::highlight).colour;
+        read_texture(inputs, setup, fragment, material.specular_map, place, recorder, TextureUse::highlight).colour;
   if (material.ambient_map >= 0)
     *material.ambient_colour *=
-        read_texture(pass, setup, fragment, material.ambient_map, place, recorder, TextureUse::ambient).colour;
+        read_texture(inputs, setup, fragment, material.ambient_map, place, recorder, TextureUse::ambient).colour;
   return own;
 }
 
 /// Whether the opacity map (MTL: map_d) leaves less than half of the surface at the fragment: fragments are there or
 /// not, since the rasterizer mixes no colours by transparency.
 template <class Real, class Recorder>
-bool is_cut_out(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
+bool is_cut_out(const RasterInputs<Real>& inputs, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
                 Recorder& recorder) {
   const Surface<Real>& surface = *setup.surface;
-  if (surface.material.opacity_map < 0 || !pass.settings.textures || surface.layout.uv == AttributeLayout::absent)
+  if (surface.material.opacity_map < 0 || !inputs.settings.textures || surface.layout.uv == AttributeLayout::absent)
     return false;
   TexturePlace<Real> place;
-  place.uv = place.of_surface = {interpolate(pass, setup, fragment, surface.layout.uv),
-                                 interpolate(pass, setup, fragment, surface.layout.uv + 1)};
+  place.uv = place.of_surface = {interpolate(inputs, setup, fragment, surface.layout.uv),
+                                 interpolate(inputs, setup, fragment, surface.layout.uv + 1)};
   const int map = surface.material.opacity_map;
-  return read_texture(pass, setup, fragment, map, place, recorder, TextureUse::opacity).colour.x < Real(0.5);
+  return read_texture(inputs, setup, fragment, map, place, recorder, TextureUse::opacity).colour.x < Real(0.5);
 }
 
 /// The fragment's colour mixed with what the material's picture of its surroundings (MTL: refl) shows in the mirrored
 /// direction of view, as mirror_environment() does with a picture of the scene.
 template <class Real, class Recorder>
-Vec3<Real> reflect_picture(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
-                           const Vec3<Real>& normal, const Vec3<Real>& local, std::optional<int> only_light,
-                           Recorder& recorder) {
+Vec3<Real> reflect_picture(const RasterInputs<Real>& inputs, const TriangleSetup<Real>& setup,
+                           const Fragment<Real>& fragment, const Vec3<Real>& normal, const Vec3<Real>& local,
+                           std::optional<int> only_light, Recorder& recorder) {
   const ShadingMaterial<Real>& material = setup.surface->material;
   const Real reflective = material.reflective;
   if (only_light.value_or(0) != 0) return local * (1 - reflective);  // the rest came with the first light
-  const Vec3<Real> to_eye = pass.to_eye(interpolate3(pass, setup, fragment, setup.surface->layout.position));
-  const Image<Vec3f>& picture = *(*pass.textures)[static_cast<std::size_t>(material.reflection_map)].base;
+  const Vec3<Real> to_eye = inputs.to_eye(interpolate3(inputs, setup, fragment, setup.surface->layout.position));
+  const Image<Vec3f>& picture = *(*inputs.textures)[static_cast<std::size_t>(material.reflection_map)].base;
   const Vec3<Real> reflected = read_reflection_map(picture, material.reflection_map, material.surroundings,
-                                                   mirror(to_eye, normal), pass.settings.texture_filter, recorder);
+                                                   mirror(to_eye, normal), inputs.settings.texture_filter, recorder);
   const Vec3<Real> result = local * (1 - reflective) + reflected * reflective;
   recorder.event([&] {
     return ReflectionEvent{static_cast<double>(reflective), Vec3d(local), Vec3d(reflected), Vec3d(result)};
@@ -242,7 +245,7 @@ Vec3<Real> reflect_picture(const Pass<Real>& pass, const TriangleSetup<Real>& se
 
 /// The colour that a fragment has of its own (CGFS ch. 13 and 14).
 template <class Real, class Recorder>
-ShadedFragment<Real> own_colour(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
+ShadedFragment<Real> own_colour(const RasterInputs<Real>& inputs, const ScreenGeometry<Real>& geometry,
                                 const TriangleSetup<Real>& setup, const Fragment<Real>& fragment, Recorder& recorder,
                                 std::optional<int> only_light) {
   const Surface<Real>& surface = *setup.surface;
@@ -251,34 +254,35 @@ ShadedFragment<Real> own_colour(const Pass<Real>& pass, const ScreenGeometry<Rea
   recorder.count(Counter::attributes_interpolated, static_cast<std::uint64_t>(layout.count));
   Vec3<Real> colour = surface.material.colour;
   Vec3<Real> normal(0);
-  if (layout.shading_normal) normal = shading_normal(pass, setup, fragment);
+  if (layout.shading_normal) normal = shading_normal(inputs, setup, fragment);
   TexturePlace<Real> place;
   if (layout.uv != AttributeLayout::absent) {
-    place.of_surface = {interpolate(pass, setup, fragment, layout.uv),
-                        interpolate(pass, setup, fragment, layout.uv + 1)};
-    place.uv = layout.relief ? relief_uv(pass, setup, fragment, place.of_surface, normal, recorder) : place.of_surface;
+    place.of_surface = {interpolate(inputs, setup, fragment, layout.uv),
+                        interpolate(inputs, setup, fragment, layout.uv + 1)};
+    place.uv =
+        layout.relief ? relief_uv(inputs, setup, fragment, place.of_surface, normal, recorder) : place.of_surface;
     shaded.uv = place.uv;
-    if (pass.settings.textures && surface.material.texture >= 0) {
-      const auto sample = read_texture(pass, setup, fragment, surface.material.texture, place, recorder);
+    if (inputs.settings.textures && surface.material.texture >= 0) {
+      const auto sample = read_texture(inputs, setup, fragment, surface.material.texture, place, recorder);
       shaded.mip = sample.level;
       colour *= sample.colour;
     }
   }
   if (layout.shading_normal) {
-    if (layout.mapped_normal) normal = map_normal(pass, setup, fragment, place, normal, recorder);
+    if (layout.mapped_normal) normal = map_normal(inputs, setup, fragment, place, normal, recorder);
     shaded.normal = unit_or_zero(normal);
-    if (pass.settings.renormalise) normal = shaded.normal;
+    if (inputs.settings.renormalise) normal = shaded.normal;
   }
   shaded.colour = colour;
   if (!layout.lit) return shaded;
   const auto light_on = [&](const TriangleSetup<Real>& lit) {
-    return pass.has_shadows()
-               ? shadowed_light(pass, geometry, lit, fragment, normal, shaded.shadow_mask, recorder, only_light)
-               : light_fragment(pass, geometry, lit, fragment, normal, recorder, only_light);
+    return inputs.has_shadows()
+               ? shadowed_light(inputs, geometry, lit, fragment, normal, shaded.shadow_mask, recorder, only_light)
+               : light_fragment(inputs, geometry, lit, fragment, normal, recorder, only_light);
   };
   Lighting<Real> lighting;
   if (layout.light_maps) {
-    const Surface<Real> own = surface_at(pass, setup, fragment, place, recorder);
+    const Surface<Real> own = surface_at(inputs, setup, fragment, place, recorder);
     TriangleSetup<Real> lit = setup;
     lit.surface = &own;
     lighting = light_on(lit);
@@ -300,14 +304,14 @@ ShadedFragment<Real> own_colour(const Pass<Real>& pass, const ScreenGeometry<Rea
 /// The colour of a fragment with its reflection, under all lights or, with Phong shading, only one of them; what is
 /// mirrored then comes with the first.
 template <class Real, class Recorder>
-ShadedFragment<Real> shade_fragment(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
+ShadedFragment<Real> shade_fragment(const RasterInputs<Real>& inputs, const ScreenGeometry<Real>& geometry,
                                     const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
                                     Recorder& recorder, std::optional<int> only_light = {}) {
-  ShadedFragment<Real> shaded = own_colour(pass, geometry, setup, fragment, recorder, only_light);
+  ShadedFragment<Real> shaded = own_colour(inputs, geometry, setup, fragment, recorder, only_light);
   if (setup.surface->layout.reflection_map)
-    shaded.colour = reflect_picture(pass, setup, fragment, shaded.normal, shaded.colour, only_light, recorder);
-  else if (pass.environment)
-    shaded.colour = mirror_environment(pass, setup, fragment, shaded.normal, shaded.colour, only_light, recorder);
+    shaded.colour = reflect_picture(inputs, setup, fragment, shaded.normal, shaded.colour, only_light, recorder);
+  else if (inputs.environment)
+    shaded.colour = mirror_environment(inputs, setup, fragment, shaded.normal, shaded.colour, only_light, recorder);
   return shaded;
 }
 

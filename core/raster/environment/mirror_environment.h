@@ -35,16 +35,16 @@ Vec3<Real> look_up_environment(const EnvironmentMap& map, const Vec3<Real>& dire
 /// Environment mapping (CGFS ch. 15): the fragment's colour mixed with what its object's cube map shows in the mirrored
 /// direction of view, in the shares of CGFS ch. 4. `normal` has length 1. The colour itself where nothing is mirrored.
 template <class Real, class Recorder>
-Vec3<Real> mirror_environment(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
-                              const Vec3<Real>& normal, const Vec3<Real>& local, std::optional<int> only_light,
-                              Recorder& recorder) {
+Vec3<Real> mirror_environment(const RasterInputs<Real>& inputs, const TriangleSetup<Real>& setup,
+                              const Fragment<Real>& fragment, const Vec3<Real>& normal, const Vec3<Real>& local,
+                              std::optional<int> only_light, Recorder& recorder) {
   const Real reflective = setup.surface->material.reflective;
-  const auto& map = (*pass.environment)[static_cast<std::size_t>(setup.surface->object)];
+  const auto& map = (*inputs.environment)[static_cast<std::size_t>(setup.surface->object)];
   const int slot = setup.surface->layout.position;
   if (!(reflective > 0) || !map || slot == AttributeLayout::absent) return local;
   if (only_light.value_or(0) != 0) return local * (1 - reflective);  // the rest came with the first light
-  const Vec3<Real> position = interpolate3(pass, setup, fragment, slot);
-  const Vec3<Real> reflected = look_up_environment(*map, mirror(pass.to_eye(position), normal), recorder);
+  const Vec3<Real> position = interpolate3(inputs, setup, fragment, slot);
+  const Vec3<Real> reflected = look_up_environment(*map, mirror(inputs.to_eye(position), normal), recorder);
   const Vec3<Real> result = local * (1 - reflective) + reflected * reflective;
   recorder.event([&] {
     return ReflectionEvent{static_cast<double>(reflective), Vec3d(local), Vec3d(reflected), Vec3d(result)};

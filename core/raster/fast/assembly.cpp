@@ -28,20 +28,20 @@ LargeTriangle large_triangle(const ScreenTriangle<float>& piece, const CoverageG
 /// Assembles one part; the members are what its steps share.
 class PartAssembler {
  public:
-  PartAssembler(const Pass<float>& pass, const std::vector<VertexBuffer<float>>& vertices, AssembleBlock kernel,
-                FastPart& part)
-      : pass_(pass), vertices_(vertices), kernel_(kernel), part_(part),
-        tile_columns_((pass.viewport.columns + fast_tile - 1) >> fast_tile_bits),
+  PartAssembler(const RasterInputs<float>& inputs, const std::vector<VertexBuffer<float>>& vertices,
+                AssembleBlock kernel, FastPart& part)
+      : inputs_(inputs), vertices_(vertices), kernel_(kernel), part_(part),
+        tile_columns_((inputs.viewport.columns + fast_tile - 1) >> fast_tile_bits),
         tiles_(static_cast<std::size_t>(tile_columns_) *
-               static_cast<std::size_t>((pass.viewport.rows + fast_tile - 1) >> fast_tile_bits)) {}
+               static_cast<std::size_t>((inputs.viewport.rows + fast_tile - 1) >> fast_tile_bits)) {}
 
   void run(std::span<const TriangleRun> runs) {
     for (const TriangleRun& run : runs) total_ += run.last - run.first;
-    part_.triangles.resize(total_ / 2 + TriangleBlock::capacity);
+    part_.triangles.resize(total_ / 2 + AssemblyBlock::capacity);
     part_.tile_start.assign(tiles_ + 1, 0);
     for (const TriangleRun& run : runs)
-      for (std::size_t first = run.first; first < run.last; first += TriangleBlock::capacity)
-        add_block(run.object, first, std::min<std::size_t>(TriangleBlock::capacity, run.last - first));
+      for (std::size_t first = run.first; first < run.last; first += AssemblyBlock::capacity)
+        add_block(run.object, first, std::min<std::size_t>(AssemblyBlock::capacity, run.last - first));
     sort_into_tiles();
     part_.counters += part_.cut.counters;
   }
@@ -51,7 +51,7 @@ class PartAssembler {
     make_room();
     done_ += count;
     block_.triangles = part_.triangles.data() + part_.count;
-    kernel_(rules(pass_.objects[object]), triangle_block(object, first, count), block_);
+    kernel_(rules(inputs_.objects[object]), triangle_block(object, first, count), block_);
     part_.counters[Counter::triangles_in] += count - static_cast<std::size_t>(std::popcount(block_.left));
     part_.counters[Counter::triangles_degenerate] += block_.degenerate;
     part_.counters[Counter::triangles_backfacing] += block_.back_facing;
@@ -66,7 +66,7 @@ class PartAssembler {
 
   /// The kernel's triangles, and between them those that it has left, in order.
   void add_left(std::size_t object, std::size_t first) {
-    std::array<FastTriangle, TriangleBlock::capacity> kept;
+    std::array<FastTriangle, AssemblyBlock::capacity> kept;
     std::copy_n(part_.triangles.begin() + static_cast<std::ptrdiff_t>(part_.count), std::popcount(block_.kept),
                 kept.begin());
     std::size_t next = 0;
@@ -79,25 +79,25 @@ class PartAssembler {
     }
   }
 
-  TriangleBlock triangle_block(std::size_t object, std::size_t first, std::size_t count) const {
-    const DrawObject& drawn = pass_.objects[object];
-    TriangleBlock block;
+  AssemblyBlock triangle_block(std::size_t object, std::size_t first, std::size_t count) const {
+    const DrawObject& drawn = inputs_.objects[object];
+    AssemblyBlock block;
     block.corners = &drawn.corners->positions[first];
     if (drawn.materials.size() > 1) block.triangles = &drawn.mesh->triangles[first];
     block.count = static_cast<int>(count);
     block.points = vertices_[object].camera.data();
     block.places = vertices_[object].places.data();
     block.object = static_cast<std::uint32_t>(object);
-    block.first_surface = pass_.first_surface[object];
+    block.first_surface = inputs_.first_surface[object];
     block.first = static_cast<std::uint32_t>(first);
     return block;
   }
 
   /// For whatever a block may bring. Where it is short, for as much as all blocks bring if they go on like this.
   void make_room() {
-    if (part_.triangles.size() >= part_.count + TriangleBlock::capacity) return;
+    if (part_.triangles.size() >= part_.count + AssemblyBlock::capacity) return;
     const double share = static_cast<double>(part_.count) / static_cast<double>(std::max<std::size_t>(done_, 1));
-    part_.triangles.resize(part_.count + part_.count / 8 + TriangleBlock::capacity +
+    part_.triangles.resize(part_.count + part_.count / 8 + AssemblyBlock::capacity +
                            static_cast<std::size_t>(share * static_cast<double>(total_ - done_)));
   }
 
@@ -109,12 +109,12 @@ class PartAssembler {
   /// A triangle that something cuts, or a large one: in as many pieces as it gives.
   void add_general(std::size_t object, std::size_t triangle) {
     const std::size_t before = part_.cut.triangles.size();
-    assemble_triangle(pass_, vertices_[object], object, triangle, part_.cut);
+    assemble_triangle(inputs_, vertices_[object], object, triangle, part_.cut);
     for (std::size_t i = before; i < part_.cut.triangles.size(); ++i) {
       const ScreenTriangle<float>& piece = part_.cut.triangles[i];
       part_.counters[Counter::coverage_tests] += static_cast<std::uint64_t>(piece.box.x1 - piece.box.x0) *
                                                  static_cast<std::uint64_t>(piece.box.y1 - piece.box.y0);
-      part_.large.push_back(large_triangle(piece, pass_.grid));
+      part_.large.push_back(large_triangle(piece, inputs_.grid));
       FastTriangle general;
       general.shape = FastTriangle::general;
       general.inverse_z = piece.inverse_z;
@@ -147,21 +147,21 @@ class PartAssembler {
 
   AssemblyRules rules(const DrawObject& object) const {
     AssemblyRules rules;
-    rules.spare_bits = pass_.grid.subpixel_bits > 0 ? 1 : 0;
-    rules.unit_bits = pass_.grid.subpixel_bits + 1 - rules.spare_bits;
+    rules.spare_bits = inputs_.grid.subpixel_bits > 0 ? 1 : 0;
+    rules.unit_bits = inputs_.grid.subpixel_bits + 1 - rules.spare_bits;
     const auto unit = static_cast<double>(1 << rules.unit_bits);
-    rules.handedness = static_cast<float>(facing_sense(pass_, object));
-    rules.cull_backs = pass_.settings.backface_culling || object.front_only;
-    rules.sample_x = static_cast<std::int32_t>(pass_.grid.sample.x * unit);
-    rules.sample_y = static_cast<std::int32_t>(pass_.grid.sample.y * unit);
-    rules.fill_rule = pass_.grid.fill_rule;
-    rules.columns = pass_.viewport.columns;
-    rules.rows = pass_.viewport.rows;
+    rules.handedness = static_cast<float>(facing_sense(inputs_, object));
+    rules.cull_backs = inputs_.settings.backface_culling || object.front_only;
+    rules.sample_x = static_cast<std::int32_t>(inputs_.grid.sample.x * unit);
+    rules.sample_y = static_cast<std::int32_t>(inputs_.grid.sample.y * unit);
+    rules.fill_rule = inputs_.grid.fill_rule;
+    rules.columns = inputs_.viewport.columns;
+    rules.rows = inputs_.viewport.rows;
     rules.large = std::int32_t{1} << (rules.unit_bits + 6);  // 64 pixels
     return rules;
   }
 
-  const Pass<float>& pass_;
+  const RasterInputs<float>& inputs_;
   const std::vector<VertexBuffer<float>>& vertices_;
   AssembleBlock kernel_;
   FastPart& part_;
@@ -173,10 +173,10 @@ class PartAssembler {
 
 }  // namespace
 
-std::vector<FastPart> assemble_fast(const Pass<float>& pass, const std::vector<VertexBuffer<float>>& vertices,
+std::vector<FastPart> assemble_fast(const RasterInputs<float>& inputs, const std::vector<VertexBuffer<float>>& vertices,
                                     const std::vector<bool>& culled, const ParallelOptions& parallel,
                                     Progress& progress) {
-  const std::vector<TriangleRun> runs = make_runs(pass, culled);
+  const std::vector<TriangleRun> runs = make_runs(inputs, culled);
   std::size_t total = 0;
   for (const TriangleRun& run : runs) total += run.last - run.first;
   const std::size_t enough = std::max(least_per_part, total / most_assembly_parts);
@@ -189,10 +189,10 @@ std::vector<FastPart> assemble_fast(const Pass<float>& pass, const std::vector<V
     first = last;
   }
   std::vector<FastPart> parts(shares.size());
-  const AssembleBlock kernel = assemble_kernel(pass.settings.simd);
+  const AssembleBlock kernel = assemble_kernel(inputs.settings.simd);
   parallel_for(static_cast<int>(parts.size()), parallel, progress, [&](int index, int) {
     const auto i = static_cast<std::size_t>(index);
-    PartAssembler(pass, vertices, kernel, parts[i]).run(shares[i]);
+    PartAssembler(inputs, vertices, kernel, parts[i]).run(shares[i]);
   });
   return parts;
 }

@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "raster/assembly/assemble.h"
+#include "raster/base/vertex_buffer.h"
 
 namespace ps::raster {
 
-/// A triangle ready for coverage, in one cache line. Small ones, which nothing cuts, carry their edges (TriangleEdges)
+/// A triangle ready for coverage, in one cache line. Small ones, which nothing cuts, carry their edges (EdgeFunctions)
 /// as 32-bit integers, in units of AssemblyRules; what edge 2 has follows from the others, since the three values add
 /// up to the area.
 struct FastTriangle {
@@ -19,10 +20,10 @@ struct FastTriangle {
   float inverse_area = 0;
   std::array<std::int32_t, 2> step_x{}, step_y{};
   std::array<float, 3> inverse_z{};
-  std::uint32_t surface = 0;   ///< index into Pass::surfaces
+  std::uint32_t surface = 0;   ///< index into RasterInputs::surfaces
   std::uint32_t corner = 0;    ///< of the box: column, and from bit 16 on row
   std::uint32_t shape = 0;     ///< of the box: columns, from bit 8 on rows; from bit 16 on which edges own their ties
-  std::uint32_t object = 0;    ///< index into Pass::objects
+  std::uint32_t object = 0;    ///< index into RasterInputs::objects
   std::uint32_t triangle = 0;  ///< of the object's mesh
 
   bool is_general() const { return (shape & general) != 0; }
@@ -35,21 +36,21 @@ static_assert(sizeof(FastTriangle) == 64);
 
 /// The edges of a piece of FastPart::cut.
 struct LargeTriangle {
-  TriangleEdges edges;
+  EdgeFunctions edges;
   float inverse_area = 0;
   bool fits_double = false;  ///< whether double holds the values in its box and up to a vector around it exactly
 };
 
 /// A few triangles that follow each other in their object's mesh, and its vertices.
-struct TriangleBlock {
+struct AssemblyBlock {
   static constexpr int capacity = 64;
   const std::array<std::uint32_t, 3>* corners = nullptr;  ///< indices of vertices
   const MeshTriangle* triangles = nullptr;                ///< the same, where their materials differ
   int count = 0;
   const Vec4f* points = nullptr;
   const VertexPlace* places = nullptr;
-  std::uint32_t object = 0;         ///< index into Pass::objects
-  std::uint32_t first_surface = 0;  ///< of the object, index into Pass::surfaces
+  std::uint32_t object = 0;         ///< index into RasterInputs::objects
+  std::uint32_t first_surface = 0;  ///< of the object, index into RasterInputs::surfaces
   std::uint32_t first = 0;          ///< number of the first triangle in the mesh
 
   std::uint32_t surface(std::size_t i) const { return first_surface + (triangles ? triangles[i].material : 0); }
@@ -84,7 +85,7 @@ struct AssembledBlock {
 };
 
 /// Repeats raster/assembly/assemble.cpp for many triangles at once.
-using AssembleBlock = void (*)(const AssemblyRules& rules, const TriangleBlock& block, AssembledBlock& result);
+using AssembleBlock = void (*)(const AssemblyRules& rules, const AssemblyBlock& block, AssembledBlock& result);
 AssembleBlock assemble_kernel(Simd simd);
 
 /// The triangles of some runs, in order, sorted into the tiles that their boxes touch.
@@ -107,7 +108,7 @@ inline constexpr int fast_tile_bits = 6;
 inline constexpr int fast_tile = 1 << fast_tile_bits;
 
 /// Assembles all objects in parts, in drawing order. `vertices` come from run_fast_vertices().
-std::vector<FastPart> assemble_fast(const Pass<float>& pass, const std::vector<VertexBuffer<float>>& vertices,
+std::vector<FastPart> assemble_fast(const RasterInputs<float>& inputs, const std::vector<VertexBuffer<float>>& vertices,
                                     const std::vector<bool>& culled, const ParallelOptions& parallel,
                                     Progress& progress);
 

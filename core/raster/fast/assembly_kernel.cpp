@@ -46,7 +46,7 @@ HWY_INLINE VI planes() { return number(static_cast<std::int32_t>(VertexPlace::no
 
 /// The vertices of the triangles from number `first` on, one array for each vertex; lanes beyond the last get the last.
 using Vertices = std::array<std::uint32_t, most_lanes>;
-HWY_INLINE std::array<Vertices, 3> vertices_of(const TriangleBlock& block, std::size_t first) {
+HWY_INLINE std::array<Vertices, 3> vertices_of(const AssemblyBlock& block, std::size_t first) {
   const auto all = static_cast<std::size_t>(block.count);
   std::array<Vertices, 3> vertices;
   const auto take = [&](std::size_t lane, std::size_t from) HWY_ATTR {
@@ -61,14 +61,14 @@ HWY_INLINE std::array<Vertices, 3> vertices_of(const TriangleBlock& block, std::
 }
 
 /// Vertices without their places on the canvas.
-HWY_INLINE Corner load_points(const TriangleBlock& block, const Vertices& vertices) {
+HWY_INLINE Corner load_points(const AssemblyBlock& block, const Vertices& vertices) {
   const hn::FixedTag<float, 4> four;
   const auto point = ps::HWY_NAMESPACE::four_vectors(
       [&](std::size_t lane) HWY_ATTR { return hn::LoadU(four, &block.points[vertices[lane]].x); });
   return {point.first, point.second, point.third, point.fourth, zero(), zero(), zero()};
 }
 
-HWY_INLINE void load_places(const AssemblyRules& rules, const TriangleBlock& block, const Vertices& vertices,
+HWY_INLINE void load_places(const AssemblyRules& rules, const AssemblyBlock& block, const Vertices& vertices,
                             Corner& corner) {
   const hn::FixedTag<float, 4> four;
   const hn::Rebind<std::int32_t, decltype(four)> four_numbers;
@@ -157,7 +157,7 @@ HWY_INLINE M cover_some(const std::array<Edge, 3>& edges, VI width, VI height, M
 }
 
 /// The surfaces of the triangles from number `first` on.
-HWY_INLINE VI surfaces_of(const TriangleBlock& block, std::size_t first) {
+HWY_INLINE VI surfaces_of(const AssemblyBlock& block, std::size_t first) {
   HWY_ALIGN std::int32_t surfaces[most_lanes];
   const auto last = static_cast<std::size_t>(block.count) - 1;
   for (std::size_t i = 0; i < most_lanes; ++i)
@@ -168,7 +168,7 @@ HWY_INLINE VI surfaces_of(const TriangleBlock& block, std::size_t first) {
 HWY_INLINE VI lowest(const VI& a, const VI& b, const VI& c) { return hn::Min(hn::Min(a, b), c); }
 HWY_INLINE VI highest(const VI& a, const VI& b, const VI& c) { return hn::Max(hn::Max(a, b), c); }
 
-HWY_INLINE void assemble_vector(const AssemblyRules& rules, const TriangleBlock& block, std::size_t first, M wanted,
+HWY_INLINE void assemble_vector(const AssemblyRules& rules, const AssemblyBlock& block, std::size_t first, M wanted,
                                 AssembledBlock& result) {
   const D d;
   const DI di;
@@ -263,7 +263,7 @@ static_assert(offsetof(FastTriangle, surface) == 44 && offsetof(FastTriangle, ob
 
 }  // namespace
 
-void assemble_block(const AssemblyRules& rules, const TriangleBlock& block, AssembledBlock& result) {
+void assemble_block(const AssemblyRules& rules, const AssemblyBlock& block, AssembledBlock& result) {
   const DI di;
   result.kept = result.left = 0;
   result.degenerate = result.back_facing = result.clipped_away = result.drawn = result.coverage_tests = 0;

@@ -13,7 +13,8 @@ namespace {
 /// Scalars are kept in fours, as vectors read them.
 constexpr int four = 4;
 
-FastSurface fast_surface(const Pass<float>& pass, const PackedTextures& textures, const Surface<float>& surface) {
+FastSurface fast_surface(const RasterInputs<float>& inputs, const PackedTextures& textures,
+                         const Surface<float>& surface) {
   const ShadingMaterial<float>& material = surface.material;
   const AttributeLayout& layout = surface.layout;
   FastSurface how;
@@ -31,21 +32,22 @@ FastSurface fast_surface(const Pass<float>& pass, const PackedTextures& textures
   shading.stride = next;
   next *= 3;
   if (layout.shading_normal && layout.normal == AttributeLayout::absent) shading.face_normal_at = take(0);
-  shading.eye = pass.eye;
+  shading.eye = inputs.eye;
   shading.colour = material.colour;
   shading.source = layout.lit ? BatchLight::equation : BatchLight::none;
-  shading.specular = pass.settings.specular && material.specular;
+  shading.specular = inputs.settings.specular && material.specular;
   shading.exponent = material.specular.value_or(1);
   shading.faint = faint_cosine(shading.exponent);
-  shading.renormalise = pass.settings.renormalise;
-  shading.highlight = pass.settings.highlight;
-  shading.lights = pass.lights;
+  shading.renormalise = inputs.settings.renormalise;
+  shading.highlight = inputs.settings.highlight;
+  shading.lights = inputs.lights;
   if (uv >= 0) {
     how.textured = true;
     shading.texture.texture = textures.of(surface);
-    shading.texture.filter = pass.settings.texture_filter;
-    shading.texture.wrap = wrap_of((*pass.textures)[static_cast<std::size_t>(surface.material.texture)], pass.settings);
-    shading.texture.mip_bias = static_cast<float>(pass.settings.mip_bias);
+    shading.texture.filter = inputs.settings.texture_filter;
+    shading.texture.wrap =
+        wrap_of((*inputs.textures)[static_cast<std::size_t>(surface.material.texture)], inputs.settings);
+    shading.texture.mip_bias = static_cast<float>(inputs.settings.mip_bias);
     shading.texture.uv = uv;
     shading.steps_at = take(0);
     take(0);
@@ -56,9 +58,9 @@ FastSurface fast_surface(const Pass<float>& pass, const PackedTextures& textures
 
 }  // namespace
 
-std::vector<FastSurface> fast_surfaces(const Pass<float>& pass, const PackedTextures& textures) {
+std::vector<FastSurface> fast_surfaces(const RasterInputs<float>& inputs, const PackedTextures& textures) {
   std::vector<FastSurface> surfaces;
-  for (const Surface<float>& surface : pass.surfaces) surfaces.push_back(fast_surface(pass, textures, surface));
+  for (const Surface<float>& surface : inputs.surfaces) surfaces.push_back(fast_surface(inputs, textures, surface));
   return surfaces;
 }
 
@@ -115,9 +117,9 @@ void AttributeRows::start(const TileFragments& tile) {
 void AttributeRows::fetch(const TileTriangle& triangle) const {
   if (triangle.triangle->is_general()) return;
   const FastTriangle& origin = *triangle.triangle;
-  hwy::Prefetch(&pass_.objects[origin.object].corners->positions[origin.triangle]);
+  hwy::Prefetch(&inputs_.objects[origin.object].corners->positions[origin.triangle]);
   if (vertices_[origin.object].lit.empty())
-    hwy::Prefetch(&pass_.objects[origin.object].mesh->triangles[origin.triangle]);
+    hwy::Prefetch(&inputs_.objects[origin.object].mesh->triangles[origin.triangle]);
 }
 
 /// The same for its vertices; fetch() has been called some time ago.
@@ -126,11 +128,11 @@ void AttributeRows::fetch_vertices(const TileTriangle& triangle) const {
   const FastTriangle& origin = *triangle.triangle;
   const VertexBuffer<float>& vertices = vertices_[origin.object];
   if (!vertices.lit.empty()) {
-    for (const std::uint32_t v : pass_.objects[origin.object].corners->positions[origin.triangle])
+    for (const std::uint32_t v : inputs_.objects[origin.object].corners->positions[origin.triangle])
       hwy::Prefetch(&vertices.lit[std::size_t{2} * v]);
     return;
   }
-  const MeshTriangle& mesh_triangle = pass_.objects[origin.object].mesh->triangles[origin.triangle];
+  const MeshTriangle& mesh_triangle = inputs_.objects[origin.object].mesh->triangles[origin.triangle];
   for (std::size_t k = 0; k < 3; ++k) {
     hwy::Prefetch(vertices.world.empty() ? &vertices.camera[mesh_triangle.position[k]]
                                          : &vertices.world[mesh_triangle.position[k]]);
@@ -196,7 +198,7 @@ void AttributeRows::fill_piece(const TileTriangle& triangle, const FastSurface& 
   const FastTriangle& record = *triangle.triangle;
   const BatchShading& shading = how.shading;
   const ScreenTriangle<float>& piece = triangle.part->cut.triangles[record.triangle];
-  const AttributeLayout& layout = pass_.surfaces[record.surface].layout;
+  const AttributeLayout& layout = inputs_.surfaces[record.surface].layout;
   if (shading.face_normal_at >= 0) {
     float* const to = row + shading.face_normal_at;
     for (int axis = 0; axis < 3; ++axis) to[axis] = piece.face_normal[axis];
@@ -213,7 +215,7 @@ void AttributeRows::fill_piece(const TileTriangle& triangle, const FastSurface& 
 void AttributeRows::fill_lit(const TileTriangle& triangle, const FastSurface& how, float* row) const {
   const FastTriangle& origin = *triangle.triangle;
   const Vec4f* const lit = vertices_[origin.object].lit.data();
-  for (const std::uint32_t v : pass_.objects[origin.object].corners->positions[origin.triangle]) {
+  for (const std::uint32_t v : inputs_.objects[origin.object].corners->positions[origin.triangle]) {
     std::memcpy(row, lit + std::size_t{2} * v, 2 * sizeof(Vec4f));
     row += how.corner_size;
   }
@@ -222,11 +224,11 @@ void AttributeRows::fill_lit(const TileTriangle& triangle, const FastSurface& ho
 void AttributeRows::fill_corners(const TileTriangle& triangle, const FastSurface& how, float* row) const {
   const FastTriangle& origin = *triangle.triangle;
   const BatchShading& shading = how.shading;
-  const DrawObject& object = pass_.objects[origin.object];
+  const DrawObject& object = inputs_.objects[origin.object];
   const MeshTriangle& mesh_triangle = object.mesh->triangles[origin.triangle];
   const VertexBuffer<float>& vertices = vertices_[origin.object];
   CornerSource<float> source{object.mesh.get(), &mesh_triangle, &vertices, {}};
-  if (reads_face_normal(pass_, pass_.surfaces[origin.surface], source))
+  if (reads_face_normal(inputs_, inputs_.surfaces[origin.surface], source))
     source.face_normal = face_normal<float>(object, mesh_triangle);
   if (shading.face_normal_at >= 0) {
     float* const to = row + shading.face_normal_at;
@@ -238,14 +240,14 @@ void AttributeRows::fill_corners(const TileTriangle& triangle, const FastSurface
       if (slot < 0) return;
       for (int axis = 0; axis < 3; ++axis) row[slot + axis] = value[axis] * share;
     };
-    if (shading.normal >= 0) put(shading.normal, source.normal(k, pass_.settings.normals));
+    if (shading.normal >= 0) put(shading.normal, source.normal(k, inputs_.settings.normals));
     if (shading.position >= 0) put(shading.position, source.position(k));
   }
 }
 
 void AttributeRows::fill_uvs(const TileTriangle& triangle, const FastSurface& how, float* row) const {
   const FastTriangle& origin = *triangle.triangle;
-  const Mesh& mesh = *pass_.objects[origin.object].mesh;
+  const Mesh& mesh = *inputs_.objects[origin.object].mesh;
   const MeshTriangle& mesh_triangle = mesh.triangles[origin.triangle];
   for (std::size_t k = 0; k < 3; ++k, row += how.corner_size) {
     const float share = vertices_[origin.object].camera[mesh_triangle.position[k]].w;

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "raster/base/vertex_buffer.h"
 #include "raster/fast/packed_textures.h"
 #include "raster/fast/shade_batch.h"
 #include "raster/fast/tile.h"
@@ -16,15 +17,15 @@ struct FastSurface {
   bool textured = false;
 };
 
-/// For every surface of the pass.
-std::vector<FastSurface> fast_surfaces(const Pass<float>& pass, const PackedTextures& textures);
+/// For every surface of the picture.
+std::vector<FastSurface> fast_surfaces(const RasterInputs<float>& inputs, const PackedTextures& textures);
 
 /// What the triangles seen in a tile carry, made when it is first asked for. Keeps its memory from tile to tile.
 class AttributeRows {
  public:
-  AttributeRows(const Pass<float>& pass, const std::vector<VertexBuffer<float>>& vertices,
+  AttributeRows(const RasterInputs<float>& inputs, const std::vector<VertexBuffer<float>>& vertices,
                 const std::vector<FastSurface>& surfaces)
-      : pass_(pass), vertices_(vertices), surfaces_(surfaces) {}
+      : inputs_(inputs), vertices_(vertices), surfaces_(surfaces) {}
 
   /// The rows will be those of this tile. Of many triangles it makes them for all that is seen, in drawing order, in
   /// which vertices mostly follow each other in memory.
@@ -51,7 +52,7 @@ class AttributeRows {
   void fill_uvs(const TileTriangle& triangle, const FastSurface& how, float* row) const;
   void fill_steps(const TileTriangle& triangle, const FastSurface& how, float* row) const;
 
-  const Pass<float>& pass_;
+  const RasterInputs<float>& inputs_;
   const std::vector<VertexBuffer<float>>& vertices_;
   const std::vector<FastSurface>& surfaces_;
   const TileFragments* tile_ = nullptr;

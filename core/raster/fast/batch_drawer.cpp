@@ -10,24 +10,24 @@ namespace ps::raster {
 
 BatchKernels batch_kernels(Simd simd) { return {scan_function(simd), shade_function(simd)}; }
 
-BatchDrawer::BatchDrawer(const Pass<float>& pass, const PackedTextures& textures, const BatchKernels& kernels,
+BatchDrawer::BatchDrawer(const RasterInputs<float>& inputs, const PackedTextures& textures, const BatchKernels& kernels,
                          const ScreenGeometry<float>& geometry, Target<float>& target, CountingRecorder& recorder)
-    : pass_(pass), textures_(textures), kernels_(kernels), geometry_(geometry), target_(target), recorder_(recorder),
-      depth_buffer_(pass.settings.visibility == Visibility::depth_buffer) {}
+    : inputs_(inputs), textures_(textures), kernels_(kernels), geometry_(geometry), target_(target),
+      recorder_(recorder), depth_buffer_(inputs.settings.visibility == Visibility::depth_buffer) {}
 
 void BatchDrawer::draw(std::span<const PrimitiveRef> primitives) {
   for (std::size_t i = 0; i < primitives.size(); ++i)
     if (!draw_batched(primitives[i]))
-      draw_primitives(pass_, geometry_, primitives.subspan(i, 1), {DrawStage::whole, 0}, target_, recorder_);
+      draw_primitives(inputs_, geometry_, primitives.subspan(i, 1), {DrawStage::whole, 0}, target_, recorder_);
 }
 
 bool BatchDrawer::draw_batched(const PrimitiveRef& ref) {
   const ScreenTriangle<float>& triangle = geometry_.batches[ref.batch].triangles[ref.index];
-  const Surface<float>& surface = pass_.surfaces[triangle.surface];
+  const Surface<float>& surface = inputs_.surfaces[triangle.surface];
   if (!shades_in_lanes(surface) || !textures_.has_room_for(surface)) return false;
-  const TileRect box = common_part(tested_box(pass_, triangle), target_.rect());
+  const TileRect box = common_part(tested_box(inputs_, triangle), target_.rect());
   if (is_empty(box)) return true;
-  setup_ = set_up_triangle(pass_, geometry_, ref);
+  setup_ = set_up_triangle(inputs_, geometry_, ref);
   const TriangleScan scan = triangle_scan(box);
   if (!can_scan(scan)) return false;
   const BatchShading shading = batch_shading();
@@ -36,7 +36,7 @@ bool BatchDrawer::draw_batched(const PrimitiveRef& ref) {
   for (int row = box.y0; row < box.y1;) {
     row = kernels_.scan(scan, row, batch_, counts);
     if (batch_.count == 0) continue;
-    if (pass_.channels != Channel::none) write_channels();
+    if (inputs_.channels != Channel::none) write_channels();
     kernels_.shade(shading, batch_);
     write_colours();
     shaded += static_cast<std::uint64_t>(batch_.count);
@@ -55,7 +55,7 @@ TriangleScan BatchDrawer::triangle_scan(const TileRect& box) const {
   scan.inverse_area = setup_.inverse_area;
   scan.inverse_z = setup_.triangle->inverse_z;
   scan.stored_depth = setup_.triangle->z;
-  scan.depth_value = pass_.settings.depth_value;
+  scan.depth_value = inputs_.settings.depth_value;
   scan.depth = depth_buffer_ ? &target_.depth(box.x0, box.y0) : nullptr;
   scan.depth_stride = target_.rect().width();
   scan.frame_width = target_.frame().width();
@@ -95,18 +95,18 @@ void BatchDrawer::count(const ScanCounts& counts, std::uint64_t shaded) {
   recorder_.count(Counter::pixels_written, shaded);
   recorder_.count(Counter::texel_reads, batch_.texels);
   batch_.texels = 0;
-  if (!layout.lit || pass_.settings.shading != Shading::phong) return;
+  if (!layout.lit || inputs_.settings.shading != Shading::phong) return;
   recorder_.count(Counter::shading_calls, shaded);
-  recorder_.count(Counter::light_samples, shaded * pass_.lights.size());
+  recorder_.count(Counter::light_samples, shaded * inputs_.lights.size());
 }
 
 BatchTexture BatchDrawer::batch_texture() const {
   BatchTexture how;
   how.texture = textures_.of(*setup_.surface);
-  how.filter = pass_.settings.texture_filter;
-  how.wrap = wrap_of((*pass_.textures)[static_cast<std::size_t>(setup_.surface->material.texture)], pass_.settings);
+  how.filter = inputs_.settings.texture_filter;
+  how.wrap = wrap_of((*inputs_.textures)[static_cast<std::size_t>(setup_.surface->material.texture)], inputs_.settings);
   how.uv = setup_.surface->layout.uv;
-  how.mip_bias = static_cast<float>(pass_.settings.mip_bias);
+  how.mip_bias = static_cast<float>(inputs_.settings.mip_bias);
   const auto stride = static_cast<std::size_t>(setup_.surface->layout.count);
   const float* a = setup_.attributes + how.uv;
   for (std::size_t along = 0; along < 2; ++along) {
@@ -130,14 +130,14 @@ BatchShading BatchDrawer::batch_shading() const {
   shading.position = layout.position;
   shading.light = layout.light;
   shading.face_normal = setup_.triangle->face_normal;
-  shading.eye = pass_.eye;
+  shading.eye = inputs_.eye;
   shading.colour = material.colour;
-  shading.specular = pass_.settings.specular && material.specular;
+  shading.specular = inputs_.settings.specular && material.specular;
   shading.exponent = material.specular.value_or(1);
   shading.faint = faint_cosine(shading.exponent);
-  shading.renormalise = pass_.settings.renormalise;
-  shading.highlight = pass_.settings.highlight;
-  shading.lights = pass_.lights;
+  shading.renormalise = inputs_.settings.renormalise;
+  shading.highlight = inputs_.settings.highlight;
+  shading.lights = inputs_.lights;
   if (layout.flat_light) shading.constant = flat_constant(setup_, 0);
   shading.source = light_source(layout);
   if (layout.uv != AttributeLayout::absent) shading.texture = batch_texture();
@@ -146,7 +146,7 @@ BatchShading BatchDrawer::batch_shading() const {
 
 BatchLight BatchDrawer::light_source(const AttributeLayout& layout) const {
   if (!layout.lit) return BatchLight::none;
-  switch (pass_.settings.shading) {
+  switch (inputs_.settings.shading) {
   case Shading::phong:
     return BatchLight::equation;
   case Shading::gouraud:

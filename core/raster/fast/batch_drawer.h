@@ -22,7 +22,7 @@ BatchKernels batch_kernels(Simd simd);
 /// exactly is drawn by the clear path (clear/draw_primitives.h), whose bits and counts all others repeat.
 class BatchDrawer {
  public:
-  BatchDrawer(const Pass<float>& pass, const PackedTextures& textures, const BatchKernels& kernels,
+  BatchDrawer(const RasterInputs<float>& inputs, const PackedTextures& textures, const BatchKernels& kernels,
               const ScreenGeometry<float>& geometry, Target<float>& target, CountingRecorder& recorder);
 
   /// Draws triangles into the tile, in the order given.
@@ -42,7 +42,7 @@ class BatchDrawer {
   /// The same numbers that the clear path counts fragment by fragment.
   void count(const ScanCounts& counts, std::uint64_t shaded);
 
-  const Pass<float>& pass_;
+  const RasterInputs<float>& inputs_;
   const PackedTextures& textures_;
   BatchKernels kernels_;
   const ScreenGeometry<float>& geometry_;

@@ -2,16 +2,16 @@
 
 namespace ps::raster {
 
-PackedTextures::PackedTextures(const Pass<float>& pass, Prepared& prepared) {
-  if (!pass.textures) return;
-  const Settings& settings = pass.settings;
+PackedTextures::PackedTextures(const RasterInputs<float>& inputs, Prepared& prepared) {
+  if (!inputs.textures) return;
+  const Settings& settings = inputs.settings;
   const Key key = Key("raster-packed-textures")
-                      .add(pass.scene->textures.revision())
+                      .add(inputs.scene->textures.revision())
                       .add(std::uint64_t{reads_mip_levels(settings.texture_filter)})
                       .add(settings.texture_wrap);
   textures_ = prepared.get<std::vector<PackedTexture>>(key, [&] {
     std::vector<PackedTexture> packed;
-    for (const MipChain& chain : *pass.textures) packed.push_back(pack_texture(chain, wrap_of(chain, settings)));
+    for (const MipChain& chain : *inputs.textures) packed.push_back(pack_texture(chain, wrap_of(chain, settings)));
     return packed;
   });
 }

@@ -2,7 +2,7 @@
 #include <memory>
 #include <vector>
 
-#include "raster/base/pass.h"
+#include "raster/base/raster_inputs.h"
 #include "raster/fast/packed_texture.h"
 
 namespace ps::raster {
@@ -10,8 +10,8 @@ namespace ps::raster {
 /// The textures of a picture in the form that the kernels read, in the order of the scene's.
 class PackedTextures {
  public:
-  /// Those of `pass`; none where it reads none.
-  PackedTextures(const Pass<float>& pass, Prepared& prepared);
+  /// Those of `inputs`; none where it reads none.
+  PackedTextures(const RasterInputs<float>& inputs, Prepared& prepared);
 
   /// Null for a surface without texture, and where the texture is too large to be packed.
   const PackedTexture* of(const Surface<float>& surface) const;

@@ -26,19 +26,19 @@ std::uint64_t texels_of_fragment(TextureFilter filter) {
   return 0;
 }
 
-void count(const Pass<float>& pass, const std::vector<FastSurface>& surfaces, const TileFragments& tile,
+void count(const RasterInputs<float>& inputs, const std::vector<FastSurface>& surfaces, const TileFragments& tile,
            Counters& counters) {
-  const std::uint64_t texels = texels_of_fragment(pass.settings.texture_filter);
+  const std::uint64_t texels = texels_of_fragment(inputs.settings.texture_filter);
   std::uint64_t written = 0;
   for (std::size_t i = 0; i < tile.passed.size(); ++i) {
     const std::uint64_t passed = tile.passed[i];
-    const AttributeLayout& layout = pass.surfaces[i].layout;
+    const AttributeLayout& layout = inputs.surfaces[i].layout;
     written += passed;
     counters[Counter::attributes_interpolated] += passed * static_cast<std::uint64_t>(layout.count);
     if (surfaces[i].textured) counters[Counter::texel_reads] += passed * texels;
     if (!layout.lit) continue;
     counters[Counter::shading_calls] += passed;
-    counters[Counter::light_samples] += passed * pass.lights.size();
+    counters[Counter::light_samples] += passed * inputs.lights.size();
   }
   counters[Counter::fragments] += tile.fragments;
   counters[Counter::depth_tests] += tile.fragments;
@@ -48,10 +48,10 @@ void count(const Pass<float>& pass, const std::vector<FastSurface>& surfaces, co
 }
 
 /// Which triangle of the scene's a tile's one is; nothing for TileFragments::none.
-PixelId shown_id(const Pass<float>& pass, const TileFragments& tile, std::uint32_t id) {
+PixelId shown_id(const RasterInputs<float>& inputs, const TileFragments& tile, std::uint32_t id) {
   if (id == TileFragments::none) return {};
   const TileTriangle& seen = tile.triangles[id];
-  const Surface<float>& surface = pass.surfaces[seen.surface()];
+  const Surface<float>& surface = inputs.surfaces[seen.surface()];
   if (surface.sphere) return {surface.object, 0};
   const std::uint32_t number = seen.triangle->triangle;
   return {surface.object,
@@ -60,7 +60,7 @@ PixelId shown_id(const Pass<float>& pass, const TileFragments& tile, std::uint32
 
 /// What write_channels() of draw_primitives.cpp writes of the fragments that are seen in the end, and what "nothing is
 /// seen" means elsewhere.
-void store_channels(const Pass<float>& pass, const TileFragments& tile, const TileRect& rect, Frame& frame) {
+void store_channels(const RasterInputs<float>& inputs, const TileFragments& tile, const TileRect& rect, Frame& frame) {
   std::uint32_t last = TileFragments::none;
   PixelId shown;
   for (int row = rect.y0; row < rect.y1; ++row) {
@@ -70,7 +70,7 @@ void store_channels(const Pass<float>& pass, const TileFragments& tile, const Ti
       PixelId* const to = &frame.ids.at(rect.x0, row);
       for (std::size_t i = 0; i < width; ++i) {
         const std::uint32_t id = tile.id[first + i];
-        if (id != last) shown = shown_id(pass, tile, last = id);
+        if (id != last) shown = shown_id(inputs, tile, last = id);
         to[i] = shown;
       }
     }
@@ -85,8 +85,8 @@ void store_channels(const Pass<float>& pass, const TileFragments& tile, const Ti
 
 }  // namespace
 
-bool needs_replaced(const Pass<float>& pass, const std::vector<FastSurface>& surfaces) {
-  return texels_of_fragment(pass.settings.texture_filter) == 0 &&
+bool needs_replaced(const RasterInputs<float>& inputs, const std::vector<FastSurface>& surfaces) {
+  return texels_of_fragment(inputs.settings.texture_filter) == 0 &&
          std::any_of(surfaces.begin(), surfaces.end(), [](const FastSurface& surface) { return surface.textured; });
 }
 
@@ -107,27 +107,27 @@ TileOutput tile_output(const Settings& settings, const RenderRequest& request, F
   return output;
 }
 
-void resolve_tile(const Pass<float>& pass, const ResolveKernels& kernels, const TileFragments& tile,
+void resolve_tile(const RasterInputs<float>& inputs, const ResolveKernels& kernels, const TileFragments& tile,
                   const TileRect& rect, const TileOutput& output, AttributeRows& rows, Frame& frame,
                   Counters& counters) {
   rows.start(tile);
-  ResolveTask task{tile, rect, rows, output, Vec3f(pass.scene->background)};
+  ResolveTask task{tile, rect, rows, output, Vec3f(inputs.scene->background)};
   kernels.resolve(task);
-  count(pass, rows.surfaces(), tile, counters);
-  if (needs_replaced(pass, rows.surfaces())) {
+  count(inputs, rows.surfaces(), tile, counters);
+  if (needs_replaced(inputs, rows.surfaces())) {
     kernels.count_texels(task);
     counters[Counter::texel_reads] += task.texels;
   }
-  if (pass.channels != Channel::none) store_channels(pass, tile, rect, frame);
+  if (inputs.channels != Channel::none) store_channels(inputs, tile, rect, frame);
   if (!task.nan && !has_nan(task.background)) return;
   for (int row = rect.y0; row < rect.y1; ++row)
     for (int column = rect.x0; column < rect.x1; ++column)
       counters[Counter::nan_pixels] += has_nan(frame.colour.at(column, row)) ? 1u : 0u;
 }
 
-void resolve_empty_tile(const Pass<float>& pass, const ResolveKernels& kernels, const TileRect& rect,
+void resolve_empty_tile(const RasterInputs<float>& inputs, const ResolveKernels& kernels, const TileRect& rect,
                         const TileOutput& output, Frame& frame, Counters& counters) {
-  const Vec3f background(pass.scene->background);
+  const Vec3f background(inputs.scene->background);
   kernels.fill(rect, output, background);
   const auto width = static_cast<std::size_t>(rect.width());
   if (has_nan(background)) counters[Counter::nan_pixels] += width * static_cast<std::size_t>(rect.y1 - rect.y0);

@@ -40,18 +40,18 @@ struct ResolveKernels {
 ResolveKernels resolve_kernels(Simd simd);
 
 /// Whether replaced fragments must be kept, because the number of texels differs from fragment to fragment.
-bool needs_replaced(const Pass<float>& pass, const std::vector<FastSurface>& surfaces);
+bool needs_replaced(const RasterInputs<float>& inputs, const std::vector<FastSurface>& surfaces);
 
 /// Where the frame's colours go, and what else the request asks for.
 TileOutput tile_output(const Settings& settings, const RenderRequest& request, Frame& frame);
 
 /// Shades the tile into the picture and adds what the clear path would have counted.
-void resolve_tile(const Pass<float>& pass, const ResolveKernels& kernels, const TileFragments& tile,
+void resolve_tile(const RasterInputs<float>& inputs, const ResolveKernels& kernels, const TileFragments& tile,
                   const TileRect& rect, const TileOutput& output, AttributeRows& rows, Frame& frame,
                   Counters& counters);
 
 /// The same for a tile in which there is nothing.
-void resolve_empty_tile(const Pass<float>& pass, const ResolveKernels& kernels, const TileRect& rect,
+void resolve_empty_tile(const RasterInputs<float>& inputs, const ResolveKernels& kernels, const TileRect& rect,
                         const TileOutput& output, Frame& frame, Counters& counters);
 
 }  // namespace ps::raster

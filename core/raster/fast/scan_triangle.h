@@ -8,9 +8,9 @@
 namespace ps::raster {
 
 /// The fast path of coverage and depth: all samples of a triangle's box in one tile, several at once. It repeats
-/// TriangleEdges::inside, make_fragment and the depth test to the last bit. Perspective pictures in float only.
+/// EdgeFunctions::inside, make_fragment and the depth test to the last bit. Perspective pictures in float only.
 struct TriangleScan {
-  const TriangleEdges* edges = nullptr;
+  const EdgeFunctions* edges = nullptr;
   TileRect box;  ///< inside the tile, not empty
   float inverse_area = 1;
   std::array<float, 3> inverse_z{};

@@ -68,7 +68,7 @@ HWY_INLINE int scan_rows(const TriangleScan& scan, int row, ShadeBatch& batch, S
   const typename Kind::Count dc;
   const hn::Rebind<std::int32_t, typename Kind::D> di;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  const TriangleEdges& edges = *scan.edges;
+  const EdgeFunctions& edges = *scan.edges;
   const int width = scan.box.x1 - scan.box.x0;
   const auto spread = [&](std::size_t i)
                           HWY_ATTR { return hn::Mul(Kind::ramp(), hn::Set(dc, static_cast<Scalar>(edges.step_x[i]))); };

@@ -41,7 +41,7 @@ struct TileFragments {
   void start(std::size_t entries, std::size_t surfaces);
 };
 
-/// Coverage and depth of one part's triangles in the tile `rect`, in order. Repeats TriangleEdges, make_fragment and
+/// Coverage and depth of one part's triangles in the tile `rect`, in order. Repeats EdgeFunctions, make_fragment and
 /// the depth test of draw_primitives.cpp to the last bit.
 using CoverTile = void (*)(const TileRect& rect, const FastPart& part, std::span<const std::uint32_t> entries,
                            TileFragments& tile);

@@ -1,5 +1,6 @@
 #pragma once
-#include "raster/base/pass.h"
+#include "raster/base/raster_inputs.h"
+#include "raster/base/vertex_buffer.h"
 
 namespace ps::raster {
 
@@ -43,8 +44,8 @@ struct VertexKernels {
 };
 VertexKernels vertex_kernels(Simd simd);
 
-/// All vertices of all objects that are not culled; objects in the order of Pass::objects.
-std::vector<VertexBuffer<float>> run_fast_vertices(const Pass<float>& pass, const std::vector<bool>& culled,
+/// All vertices of all objects that are not culled; objects in the order of RasterInputs::objects.
+std::vector<VertexBuffer<float>> run_fast_vertices(const RasterInputs<float>& inputs, const std::vector<bool>& culled,
                                                    const ParallelOptions& parallel, Progress& progress);
 
 }  // namespace ps::raster

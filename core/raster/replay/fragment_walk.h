@@ -14,16 +14,16 @@ namespace ps::raster {
 ///   winners()           shades what deferred shading kept
 ///   canvas()            draws the shapes on the canvas
 template <class Real, class Sink>
-void walk_fragments(const Pass<Real>& pass, Target<Real>& target, Sink&& sink) {
+void walk_fragments(const RasterInputs<Real>& inputs, Target<Real>& target, Sink&& sink) {
   struct MeansAtEnd {  // also of a target that slow motion leaves within a step
     Target<Real>& target;
     ~MeansAtEnd() { target.resolve(); }
   };
   {
     const MeansAtEnd means{target};
-    const std::vector<DrawStep> steps = draw_steps(pass.settings, pass.lights.size());
+    const std::vector<DrawStep> steps = draw_steps(inputs.settings, inputs.lights.size());
     for (std::size_t i = 0; i < steps.size(); ++i) sink.step(steps[i], i);
-    if (defers_shading(pass.settings)) sink.winners();
+    if (defers_shading(inputs.settings)) sink.winners();
   }
   sink.canvas();
 }
@@ -31,15 +31,15 @@ void walk_fragments(const Pass<Real>& pass, Target<Real>& target, Sink&& sink) {
 /// A sink that draws by the clear path. It lacks step(): the sinks made of it say which primitives are drawn.
 template <class Real, class Recorder>
 struct ClearSink {
-  const Pass<Real>& pass;
+  const RasterInputs<Real>& inputs;
   const ScreenGeometry<Real>& geometry;
   Target<Real>& target;
   Recorder& recorder;
   void draw(std::span<const PrimitiveRef> primitives, const DrawStep& step) {
-    draw_primitives(pass, geometry, primitives, step, target, recorder);
+    draw_primitives(inputs, geometry, primitives, step, target, recorder);
   }
-  void winners() { shade_winners(pass, geometry, target, recorder); }
-  void canvas() { draw_canvas_items(pass, target, recorder); }
+  void winners() { shade_winners(inputs, geometry, target, recorder); }
+  void canvas() { draw_canvas_items(inputs, target, recorder); }
 };
 
 }  // namespace ps::raster

@@ -23,11 +23,11 @@ const Said* said(const std::vector<Event>& events) {
 }  // namespace
 
 template <class Real>
-PixelReplay<Real>::PixelReplay(const Pass<Real>& pass, Vec2i pixel, const ParallelOptions& parallel, Progress& progress,
-                               const IsNear& is_near)
-    : pass_(pass), pixel_(pixel), geometry_(make_geometry(pass, std::optional(pixel), parallel, progress)),
+PixelReplay<Real>::PixelReplay(const RasterInputs<Real>& inputs, Vec2i pixel, const ParallelOptions& parallel,
+                               Progress& progress, const IsNear& is_near)
+    : inputs_(inputs), pixel_(pixel), geometry_(make_geometry(inputs, std::optional(pixel), parallel, progress)),
       batches_(static_cast<std::uint32_t>(geometry_.batches.size())) {
-  for (const PrimitiveRef& ref : drawing_order(pass, geometry_))
+  for (const PrimitiveRef& ref : drawing_order(inputs, geometry_))
     if (is_near(geometry_.batches[ref.batch].triangles[ref.index])) near_.push_back(ref);
   geometry_.batches.reserve(2 * geometry_.batches.size());
   for (std::size_t i = 0; i < batches_; ++i) {
@@ -47,12 +47,12 @@ PrimitiveRef PixelReplay<Real>::ref(std::size_t number, Boxes boxes) const {
 /// Calls visit(number, events) for each triangle, in the walk that decides about visibility.
 template <class Real>
 template <class Visit>
-void PixelReplay<Real>::draw(const Pass<Real>& pass, Boxes boxes, Visit&& visit) const {
-  Frame frame = make_frame(*pass.scene, {pass.scene->camera, 1, 1}, pass.settings, Channel::none);
-  Target<Real> target(frame, only(pixel_), pass.settings, Channel::none, pixel_);
+void PixelReplay<Real>::draw(const RasterInputs<Real>& inputs, Boxes boxes, Visit&& visit) const {
+  Frame frame = make_frame(*inputs.scene, {inputs.scene->camera, 1, 1}, inputs.settings, Channel::none);
+  Target<Real> target(frame, only(pixel_), inputs.settings, Channel::none, pixel_);
   struct EachTriangle {
     const PixelReplay& replay;
-    const Pass<Real>& pass;
+    const RasterInputs<Real>& inputs;
     Boxes boxes;
     Target<Real>& target;
     Visit& visit;
@@ -61,20 +61,20 @@ void PixelReplay<Real>::draw(const Pass<Real>& pass, Boxes boxes, Visit&& visit)
       for (std::size_t i = 0; i < replay.near_.size(); ++i) {
         PixelRecorder recorder(replay.pixel_);
         const PrimitiveRef ref = replay.ref(i, boxes);
-        draw_primitives(pass, replay.geometry_, std::span<const PrimitiveRef>(&ref, 1), step, target, recorder);
+        draw_primitives(inputs, replay.geometry_, std::span<const PrimitiveRef>(&ref, 1), step, target, recorder);
         visit(i, recorder.take());
       }
     }
     void winners() {}
     void canvas() {}
   };
-  walk_fragments(pass, target, EachTriangle{*this, pass, boxes, target, visit});
+  walk_fragments(inputs, target, EachTriangle{*this, inputs, boxes, target, visit});
 }
 
 template <class Real>
 std::vector<ReplayedTriangle<Real>> PixelReplay<Real>::at(const Vec2d& point) const {
-  const bool own = pass_.grid.samples == 1 && point == pass_.grid.sample;
-  Pass<Real> moved = pass_;
+  const bool own = inputs_.grid.samples == 1 && point == inputs_.grid.sample;
+  RasterInputs<Real> moved = inputs_;
   moved.settings.multisampling = moved.grid.samples = 1;
   moved.grid.sample = point;
   if (!own) moved.coverage = {};
@@ -82,7 +82,7 @@ std::vector<ReplayedTriangle<Real>> PixelReplay<Real>::at(const Vec2d& point) co
   draw(moved, own ? Boxes::own : Boxes::pixel, [&](std::size_t number, const std::vector<Event>& events) {
     ReplayedTriangle<Real> triangle;
     triangle.setup = set_up_triangle(moved, geometry_, near_[number]);
-    triangle.setup.surface = &pass_.surfaces[triangle.setup.triangle->surface];
+    triangle.setup.surface = &inputs_.surfaces[triangle.setup.triangle->surface];
     triangle.fragment =
         make_fragment(moved, triangle.setup, pixel_.x, pixel_.y, triangle.setup.edges.at(pixel_.x, pixel_.y));
     if (moved.settings.visibility == Visibility::depth_buffer)
@@ -99,12 +99,12 @@ std::vector<ReplayedTriangle<Real>> PixelReplay<Real>::at(const Vec2d& point) co
 
 template <class Real>
 std::vector<int> PixelReplay<Real>::shown() const {
-  std::vector<int> shown(static_cast<std::size_t>(pass_.grid.samples), -1);
-  draw(pass_, Boxes::own, [&](std::size_t number, const std::vector<Event>& events) {
+  std::vector<int> shown(static_cast<std::size_t>(inputs_.grid.samples), -1);
+  draw(inputs_, Boxes::own, [&](std::size_t number, const std::vector<Event>& events) {
     const auto* fragment = said<FragmentEvent>(events);
     if (!fragment || fragment->depth == FragmentEvent::Depth::failed) return;
     const auto* written = said<CoverageEvent>(events);
-    if (pass_.grid.samples == 1)
+    if (inputs_.grid.samples == 1)
       shown[0] = static_cast<int>(number);
     else if (written)
       for (const double sample : written->values) shown[static_cast<std::size_t>(sample)] = static_cast<int>(number);
@@ -114,7 +114,7 @@ std::vector<int> PixelReplay<Real>::shown() const {
 
 template <class Real>
 TriangleSetup<Real> PixelReplay<Real>::set_up(int number) const {
-  return set_up_triangle(pass_, geometry_, near_[static_cast<std::size_t>(number)]);
+  return set_up_triangle(inputs_, geometry_, near_[static_cast<std::size_t>(number)]);
 }
 
 template class PixelReplay<float>;

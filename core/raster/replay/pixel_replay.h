@@ -25,8 +25,8 @@ template <class Real>
 class PixelReplay {
  public:
   using IsNear = std::function<bool(const ScreenTriangle<Real>&)>;
-  /// The picture must fill its primitives. `pass` must outlive the replay.
-  PixelReplay(const Pass<Real>& pass, Vec2i pixel, const ParallelOptions& parallel, Progress& progress,
+  /// The picture must fill its primitives. `inputs` must outlive the replay.
+  PixelReplay(const RasterInputs<Real>& inputs, Vec2i pixel, const ParallelOptions& parallel, Progress& progress,
               const IsNear& is_near);
 
   /// All of them in drawing order, with the sample at this place in the pixel: pixels from its top left corner, on the
@@ -42,9 +42,9 @@ class PixelReplay {
   enum class Boxes { own, pixel };  ///< of triangles: those of the picture's samples, or the whole pixel
   PrimitiveRef ref(std::size_t number, Boxes boxes) const;
   template <class Visit>
-  void draw(const Pass<Real>& pass, Boxes boxes, Visit&& visit) const;
+  void draw(const RasterInputs<Real>& inputs, Boxes boxes, Visit&& visit) const;
 
-  const Pass<Real>& pass_;
+  const RasterInputs<Real>& inputs_;
   Vec2i pixel_;
   ScreenGeometry<Real> geometry_;  ///< behind the batches as assembled the same ones with Boxes::pixel
   std::uint32_t batches_ = 0;      ///< as assembled

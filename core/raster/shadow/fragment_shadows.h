@@ -1,5 +1,5 @@
 #pragma once
-#include "raster/base/pass.h"
+#include "raster/base/raster_inputs.h"
 #include "raster/shadow/shadow_lookup.h"
 #include "raster/shadow/stencil.h"
 #include "shade/illumination.h"
@@ -10,10 +10,10 @@ namespace ps::raster {
 template <class Real, class Recorder>
 class FragmentShadows {
  public:
-  FragmentShadows(const Pass<Real>& pass, int column, int row, const Vec3<Real>& position, const Vec3<Real>& normal,
-                  Real surface_error, Recorder& recorder)
-      : pass_(pass), column_(column), row_(row), position_(position), normal_(normal), surface_error_(surface_error),
-        recorder_(recorder) {}
+  FragmentShadows(const RasterInputs<Real>& inputs, int column, int row, const Vec3<Real>& position,
+                  const Vec3<Real>& normal, Real surface_error, Recorder& recorder)
+      : inputs_(inputs), column_(column), row_(row), position_(position), normal_(normal),
+        surface_error_(surface_error), recorder_(recorder) {}
 
   /// As illuminate() asks.
   Blocking<Real> operator()(int light, const Vec3<Real>&, Real) {
@@ -27,21 +27,21 @@ class FragmentShadows {
  private:
   Real share(int light) {
     const auto index = static_cast<std::size_t>(light);
-    if (pass_.shadow_maps) {
-      const ShadowMap& map = (*pass_.shadow_maps)[index];
-      const Settings& s = pass_.settings;
+    if (inputs_.shadow_maps) {
+      const ShadowMap& map = (*inputs_.shadow_maps)[index];
+      const Settings& s = inputs_.settings;
       const ShadowComparison<Real> how{static_cast<Real>(s.shadow_bias), static_cast<Real>(s.shadow_slope_bias),
                                        s.shadow_filter, surface_error_};
       return look_up_shadow(map, light, position_, normal_, how, recorder_);
     }
-    const Stencil& stencil = *pass_.stencil;
+    const Stencil& stencil = *inputs_.stencil;
     if constexpr (Recorder::records)
       for (const StencilEvent& event : stencil.events)
         if (event.light == light) recorder_.event([&] { return event; });
     return stencil.at(light, column_, row_) == 0 ? Real(1) : Real(0);
   }
 
-  const Pass<Real>& pass_;
+  const RasterInputs<Real>& inputs_;
   int column_, row_;
   Vec3<Real> position_, normal_;
   Real surface_error_;

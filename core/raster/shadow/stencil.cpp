@@ -17,8 +17,8 @@ constexpr int tile_size = 64;
 
 using Geometry64 = ScreenGeometry<double>;
 
-/// A pass that only finds out what covers which pixel, and how far away. The far limit holds for pixels and cuts no
-/// triangle: a volume's lit face goes on behind it, and would no longer lie exactly on a triangle that ends there.
+/// Settings that only find out what covers which pixel, and how far away. The far limit holds for pixels and cuts
+/// no triangle: a volume's lit face goes on behind it, and would no longer lie exactly on a triangle that ends there.
 Settings depth_settings(const Settings& settings) {
   Settings plain = settings;
   plain.lighting = false;
@@ -34,11 +34,12 @@ Settings depth_settings(const Settings& settings) {
 
 /// Calls covered(triangle, fragment) for each covered sample in `rect`.
 template <class Covered>
-void scan(const Pass<double>& pass, const ScreenTriangle<double>& triangle, const TileRect& rect, Covered&& covered) {
+void scan(const RasterInputs<double>& inputs, const ScreenTriangle<double>& triangle, const TileRect& rect,
+          Covered&& covered) {
   const TileRect box{std::max(triangle.box.x0, rect.x0), std::max(triangle.box.y0, rect.y0),
                      std::min(triangle.box.x1, rect.x1), std::min(triangle.box.y1, rect.y1)};
   if (box.x0 >= box.x1 || box.y0 >= box.y1) return;
-  const auto edges = make_edges(triangle.corners, pass.grid);
+  const auto edges = make_edges(triangle.corners, inputs.grid);
   PS_ASSERT(edges.has_value(), "triangles without area are left out by the assembly");
   TriangleSetup<double> setup;
   setup.triangle = &triangle;
@@ -47,32 +48,32 @@ void scan(const Pass<double>& pass, const ScreenTriangle<double>& triangle, cons
   for (int row = box.y0; row < box.y1; ++row) {
     for (int column = box.x0; column < box.x1; ++column) {
       const auto values = setup.edges.at(column, row);
-      if (setup.edges.inside(values)) covered(make_fragment(pass, setup, column, row, values));
+      if (setup.edges.inside(values)) covered(make_fragment(inputs, setup, column, row, values));
     }
   }
 }
 
-/// The faces of all volumes of one light, as objects of a pass of their own.
-Pass<double> volume_pass(const Pass<double>& scene_pass, const std::vector<ShadowVolume>& volumes) {
-  Pass<double> pass = scene_pass;
-  pass.settings.backface_culling = false;
-  pass.objects.clear();
-  pass.surfaces.clear();
-  pass.first_surface.clear();
+/// The faces of all volumes of one light, as objects of inputs of their own.
+RasterInputs<double> volume_inputs(const RasterInputs<double>& scene_inputs, const std::vector<ShadowVolume>& volumes) {
+  RasterInputs<double> inputs = scene_inputs;
+  inputs.settings.backface_culling = false;
+  inputs.objects.clear();
+  inputs.surfaces.clear();
+  inputs.first_surface.clear();
   for (const ShadowVolume& volume : volumes) {
-    pass.first_surface.push_back(static_cast<std::uint32_t>(pass.surfaces.size()));
+    inputs.first_surface.push_back(static_cast<std::uint32_t>(inputs.surfaces.size()));
     Surface<double> surface;
-    surface.object = static_cast<int>(pass.objects.size());
-    surface.drawn = pass.objects.size();
-    pass.surfaces.push_back(surface);
+    surface.object = static_cast<int>(inputs.objects.size());
+    surface.drawn = inputs.objects.size();
+    inputs.surfaces.push_back(surface);
     DrawObject object;
     object.object = surface.object;
     object.mesh = volume.surface;
     object.bounds = bounding_sphere(*volume.surface);
     object.materials = {0};
-    pass.objects.push_back(std::move(object));
+    inputs.objects.push_back(std::move(object));
   }
-  return pass;
+  return inputs;
 }
 
 int wrapped(int count, int bits) { return count & ((1 << bits) - 1); }
@@ -115,14 +116,14 @@ VolumeCrossing crossing_of(const ShadowVolume& volume, const ScreenTriangle<doub
 }
 
 /// 1 / z at the far limit: what is less lies beyond it.
-double far_limit(const Settings& settings, const Pass<double>& pass) {
+double far_limit(const Settings& settings, const RasterInputs<double>& inputs) {
   const bool none = settings.clipping == Clipping::none || settings.far >= Settings().far;
-  return none ? -std::numeric_limits<double>::infinity() : 1 / (settings.far * pass.viewport.distance);
+  return none ? -std::numeric_limits<double>::infinity() : 1 / (settings.far * inputs.viewport.distance);
 }
 
 /// The faces of one light's volumes, ready to be drawn.
 struct LightVolumes {
-  Pass<double> pass;
+  RasterInputs<double> inputs;
   Geometry64 geometry;
   Bins bins;
 };
@@ -143,11 +144,12 @@ Stencil make_stencil(const Scene& scene, const View& view, const Settings& setti
                  "draw a smaller picture, or have fewer lights");
   Stencil stencil;
   stencil.rect = rect;
-  const Pass<double> pass = make_pass<double>(scene, view, depth_settings(settings), Channel::none, prepared);
-  const Geometry64 surfaces = make_geometry(pass, {}, parallel, progress);
-  const Bins bins = bin_primitives(pass, surfaces, tile_size, parallel, progress);
-  const double far = far_limit(settings, pass);
-  const std::vector<std::vector<ShadowVolume>> volumes = make_shadow_volumes(scene, pass.objects, settings);
+  const RasterInputs<double> inputs =
+      make_raster_inputs<double>(scene, view, depth_settings(settings), Channel::none, prepared);
+  const Geometry64 surfaces = make_geometry(inputs, {}, parallel, progress);
+  const Bins bins = bin_primitives(inputs, surfaces, tile_size, parallel, progress);
+  const double far = far_limit(settings, inputs);
+  const std::vector<std::vector<ShadowVolume>> volumes = make_shadow_volumes(scene, inputs.objects, settings);
   std::vector<std::unique_ptr<LightVolumes>> lights;
   for (const auto& of_light : volumes) {
     stencil.counts.emplace_back();
@@ -155,9 +157,9 @@ Stencil make_stencil(const Scene& scene, const View& view, const Settings& setti
     if (of_light.empty()) continue;
     stencil.counts.back() = Image<std::int32_t>(rect.width(), rect.height(), 0);
     auto light = std::make_unique<LightVolumes>();
-    light->pass = volume_pass(pass, of_light);
-    light->geometry = make_geometry(light->pass, {}, parallel, progress);
-    light->bins = bin_primitives(light->pass, light->geometry, tile_size, parallel, progress);
+    light->inputs = volume_inputs(inputs, of_light);
+    light->geometry = make_geometry(light->inputs, {}, parallel, progress);
+    light->bins = bin_primitives(light->inputs, light->geometry, tile_size, parallel, progress);
     lights.back() = std::move(light);
     for (const ShadowVolume& volume : of_light) stencil.counters[Counter::silhouette_edges] += volume.silhouette.size();
   }
@@ -171,14 +173,15 @@ Stencil make_stencil(const Scene& scene, const View& view, const Settings& setti
     if (part.x0 >= part.x1 || part.y0 >= part.y1) return;
     constexpr double nothing = -std::numeric_limits<double>::infinity();
     Image<double> depth(part.width(), part.height(), nothing);
-    const auto each = [&](const Bins& list, const Pass<double>& of, const Geometry64& geometry, auto&& covered) {
+    const auto each = [&](const Bins& list, const RasterInputs<double>& of, const Geometry64& geometry,
+                          auto&& covered) {
       for (std::size_t p = 0; p < list.parts; ++p)
         for (const PrimitiveRef& ref : list.list(p, tile)) {
           const ScreenTriangle<double>& triangle = geometry.batches[ref.batch].triangles[ref.index];
           scan(of, triangle, part, [&](const Fragment<double>& f) { covered(triangle, f); });
         }
     };
-    each(bins, pass, surfaces, [&](const ScreenTriangle<double>&, const Fragment<double>& f) {
+    each(bins, inputs, surfaces, [&](const ScreenTriangle<double>&, const Fragment<double>& f) {
       if (f.inverse_z < far) return;
       double& stored = depth.at(f.column - part.x0, f.row - part.y0);
       stored = std::max(stored, f.inverse_z);
@@ -187,7 +190,7 @@ Stencil make_stencil(const Scene& scene, const View& view, const Settings& setti
       if (!lights[i]) continue;
       const LightVolumes& light = *lights[i];
       Image<std::int32_t>& counts = stencil.counts[i];
-      each(light.bins, light.pass, light.geometry,
+      each(light.bins, light.inputs, light.geometry,
            [&](const ScreenTriangle<double>& triangle, const Fragment<double>& f) {
              const double surface = depth.at(f.column - part.x0, f.row - part.y0);
              if (surface == nothing || (!settings.volume_depth_clamp && f.inverse_z < far)) return;
@@ -196,7 +199,7 @@ Stencil make_stencil(const Scene& scene, const View& view, const Settings& setti
              if (change != 0) ++counters[tile][Counter::stencil_updates];
              counts.at(f.column - rect.x0, f.row - rect.y0) += change;
              if (notes == StencilNotes::none) return;
-             const auto& volume = volumes[i][static_cast<std::size_t>(light.pass.surfaces[triangle.surface].object)];
+             const auto& volume = volumes[i][static_cast<std::size_t>(light.inputs.surfaces[triangle.surface].object)];
              events[i].surface_z = 1 / surface;
              events[i].crossings.push_back(crossing_of(volume, triangle, f.z, change));
            });

@@ -4,7 +4,7 @@
 
 #include "raytrace/clear/intersector.h"
 #include "raytrace/clear/medium.h"
-#include "raytrace/clear/surface.h"
+#include "raytrace/clear/surface_point.h"
 
 namespace ps {
 
@@ -44,7 +44,7 @@ class EyeMedia {
     const Intersector<Real, Silent> intersector(inputs, silent);
     const auto note = [&](const Hit<Real>& hit, std::int32_t object) {
       if (!hit.found()) return;
-      const Surface<Real> surface = surface_of(ray, hit, inputs);
+      const SurfacePoint<Real> surface = surface_of(ray, hit, inputs);
       const ShadingMaterial<Real>& material = inputs.materials[surface.material];
       if (surface.back_face && material.transparency > 0) left_.push_back({hit.t, object, material.refraction_index});
     };

@@ -7,7 +7,7 @@
 
 #include "base/overloaded.h"
 #include "raytrace/clear/sphere_quadratic.h"
-#include "raytrace/clear/triangle_tests.h"
+#include "raytrace/clear/triangle_query.h"
 
 namespace ps {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "math/unit.h"
-#include "raytrace/clear/surface.h"
+#include "raytrace/clear/surface_point.h"
 #include "shade/normal_mapping.h"
 
 namespace ps {
@@ -73,7 +73,8 @@ enum class TangentLengths { any, in_proportion };
 
 /// How the texture lies on the surface that a ray met; nullopt where it has no texture coordinates.
 template <class Real>
-inline std::optional<TangentFrame<Real>> tangents_of(const Surface<Real>& surface, const TracedGeometry<Real>& geometry,
+inline std::optional<TangentFrame<Real>> tangents_of(const SurfacePoint<Real>& surface,
+                                                     const TracedGeometry<Real>& geometry,
                                                      TangentLengths lengths = TangentLengths::any) {
   const auto of_form = [&](const TracedForm<Real>& form, int face, const Vec3<Real>& p) {
     return lengths == TangentLengths::any ? form_tangents(form, face, p) : form_relief_tangents(form, face, p);

@@ -1,13 +1,13 @@
 #pragma once
 #include "math/unit.h"
-#include "raytrace/clear/surface.h"
+#include "raytrace/clear/surface_point.h"
 
 namespace ps {
 
 /// A point on a triangle moved off it, to the side that `direction` points to, by the bound of its own rounding error
 /// (pbrt 6.8): n.e along n, then one representable number further.
 template <class Real>
-inline Vec3<Real> offset_from_triangle(const Surface<Real>& surface, const Vec3<Real>& direction) {
+inline Vec3<Real> offset_from_triangle(const SurfacePoint<Real>& surface, const Vec3<Real>& direction) {
   const Vec3<Real>& n = surface.geometric_normal;
   const Vec3<Real> size{std::abs(n.x), std::abs(n.y), std::abs(n.z)};
   const Real distance = dot(size, surface.point_error);
@@ -25,7 +25,7 @@ inline Vec3<Real> offset_from_triangle(const Surface<Real>& surface, const Vec3<
 /// outside, but where it all but passes by, rounding may place the point beyond the horizon, and the mirrored ray would
 /// run into the ball. With self-hit = offset such a ray counts as what it is, parallel to the surface, and runs on.
 template <class Real>
-inline Vec3<Real> mirrored_direction(const Surface<Real>& surface, const Vec3<Real>& to_eye,
+inline Vec3<Real> mirrored_direction(const SurfacePoint<Real>& surface, const Vec3<Real>& to_eye,
                                      const TraceInputs<Real>& inputs) {
   const Vec3<Real>& n = surface.shading_normal;
   const bool beyond_horizon = inputs.settings.self_hit == SelfHit::offset &&
@@ -41,7 +41,7 @@ inline Vec3<Real> mirrored_direction(const Surface<Real>& surface, const Vec3<Re
 ///   epsilon      hits up to t = epsilon do not count (CGFS ch. 4)
 ///   normal_bump  it starts epsilon above the surface, on the side from which the surface was seen (CGPP)
 template <class Real>
-inline Ray<Real> leaving_ray(const Surface<Real>& surface, const Vec3<Real>& direction, Real t_max, Real epsilon,
+inline Ray<Real> leaving_ray(const SurfacePoint<Real>& surface, const Vec3<Real>& direction, Real t_max, Real epsilon,
                              const TraceInputs<Real>& inputs) {
   Ray<Real> ray{surface.point, direction, Real(0), t_max, no_primitive};
   const Settings& settings = inputs.settings;

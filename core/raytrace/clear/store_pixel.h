@@ -19,7 +19,7 @@ bool reads_texture(const TracedPixel<Real>& pixel, const TraceInputs<Real>& inpu
 template <class Real>
 void store_channels(const TracedPixel<Real>& pixel, const TraceInputs<Real>& inputs, int x, int y, Frame& frame) {
   const bool hit = pixel.hit.found();
-  const Surface<Real>& surface = pixel.surface;
+  const SurfacePoint<Real>& surface = pixel.surface;
   if (!frame.depth.empty())
     frame.depth.at(x, y) =
         hit ? static_cast<float>(pixel.hit.t * inputs.viewport.distance) : std::numeric_limits<float>::infinity();

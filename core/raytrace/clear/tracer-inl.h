@@ -61,7 +61,7 @@ TracedPixel<Real> Tracer<Real, Recorder>::trace_between(const Ray<Real>& ray, st
 }
 
 template <class Real, class Recorder>
-std::optional<PixelId> Tracer<Real, Recorder>::find_blocker(const Surface<Real>& surface, int light,
+std::optional<PixelId> Tracer<Real, Recorder>::find_blocker(const SurfacePoint<Real>& surface, int light,
                                                             const Vec3<Real>& to_light, Real t_max) const {
   if (inputs_.settings.shadows == Shadows::none) return {};
   Ray<Real> ray = leaving_ray(surface, to_light, t_max, inputs_.shadow_epsilon, inputs_);
@@ -99,8 +99,8 @@ Vec3<Real> Tracer<Real, Recorder>::colour_of(const Ray<Real>& ray, const Hit<Rea
                                              const Medium<Real>& medium, TracedPixel<Real>* first) const {
   Vec3<Real> colour = inputs_.background;
   if (hit.found()) {
-    Surface<Real> own;
-    Surface<Real>& surface = first ? first->surface : own;
+    SurfacePoint<Real> own;
+    SurfacePoint<Real>& surface = first ? first->surface : own;
     put_surface(ray, hit, inputs_, surface);
     if (inputs_.settings.parallax != Parallax::off && inputs_.materials[surface.material].height_map >= 0)
       move_uv(ray, inputs_.materials[surface.material], surface);
@@ -116,7 +116,7 @@ Vec3<Real> Tracer<Real, Recorder>::colour_of(const Ray<Real>& ray, const Hit<Rea
 }
 
 template <class Real, class Recorder>
-Vec3<Real> Tracer<Real, Recorder>::shade(const Ray<Real>& ray, const Surface<Real>& surface, int depth, Real share,
+Vec3<Real> Tracer<Real, Recorder>::shade(const Ray<Real>& ray, const SurfacePoint<Real>& surface, int depth, Real share,
                                          const Medium<Real>& medium, TracedPixel<Real>* first) const {
   const ShadingMaterial<Real>& material = inputs_.materials[surface.material];
   if (material.varies() && inputs_.settings.textures && surface.has_uv)
@@ -125,7 +125,7 @@ Vec3<Real> Tracer<Real, Recorder>::shade(const Ray<Real>& ray, const Surface<Rea
 }
 
 template <class Real, class Recorder>
-Vec3<Real> Tracer<Real, Recorder>::shade_as(const Ray<Real>& ray, const Surface<Real>& surface,
+Vec3<Real> Tracer<Real, Recorder>::shade_as(const Ray<Real>& ray, const SurfacePoint<Real>& surface,
                                             const ShadingMaterial<Real>& material, int depth, Real share,
                                             const Medium<Real>& medium, TracedPixel<Real>* first) const {
   const Vec3<Real> local = local_colour(ray, surface, material, first);
@@ -151,7 +151,7 @@ Vec3<Real> Tracer<Real, Recorder>::shade_as(const Ray<Real>& ray, const Surface<
 }
 
 template <class Real, class Recorder>
-Vec3<Real> Tracer<Real, Recorder>::mirrored_colour(const Ray<Real>& ray, const Surface<Real>& surface,
+Vec3<Real> Tracer<Real, Recorder>::mirrored_colour(const Ray<Real>& ray, const SurfacePoint<Real>& surface,
                                                    const ShadingMaterial<Real>& material, int depth, Real share,
                                                    const Medium<Real>& medium) const {
   const Vec3<Real> direction = mirrored_direction(surface, -ray.direction, inputs_);
@@ -185,7 +185,7 @@ typename Tracer<Real, Recorder>::Shares Tracer<Real, Recorder>::shares_of(const 
 }
 
 template <class Real, class Recorder>
-Vec3<Real> Tracer<Real, Recorder>::see_through(const Ray<Real>& ray, const Surface<Real>& surface,
+Vec3<Real> Tracer<Real, Recorder>::see_through(const Ray<Real>& ray, const SurfacePoint<Real>& surface,
                                                const ShadingMaterial<Real>& material, const Vec3<Real>& local,
                                                int depth, Real share, const Medium<Real>& medium) const {
   static constexpr Medium<Real> outside{};
@@ -233,7 +233,7 @@ Vec3<Real> Tracer<Real, Recorder>::see_through(const Ray<Real>& ray, const Surfa
 }
 
 template <class Real, class Recorder>
-bool Tracer<Real, Recorder>::is_flat(const Surface<Real>& surface) const {
+bool Tracer<Real, Recorder>::is_flat(const SurfacePoint<Real>& surface) const {
   const Primitive primitive = primitive_of(*inputs_.geometry, surface.primitive);
   if (primitive.kind != PrimitiveKind::solid) return false;
   const TracedSolid& solid = inputs_.geometry->solids[primitive.shape];
@@ -242,7 +242,7 @@ bool Tracer<Real, Recorder>::is_flat(const Surface<Real>& surface) const {
 }
 
 template <class Real, class Recorder>
-Vec3<Real> Tracer<Real, Recorder>::local_colour(const Ray<Real>& ray, const Surface<Real>& surface,
+Vec3<Real> Tracer<Real, Recorder>::local_colour(const Ray<Real>& ray, const SurfacePoint<Real>& surface,
                                                 const ShadingMaterial<Real>& material, TracedPixel<Real>* first) const {
   recorder_.count(Counter::shading_calls);
   const Vec3<Real> surface_colour = textured_colour(surface, material);
@@ -268,7 +268,7 @@ Vec3<Real> Tracer<Real, Recorder>::local_colour(const Ray<Real>& ray, const Surf
 
 template <class Real, class Recorder>
 void Tracer<Real, Recorder>::move_uv(const Ray<Real>& ray, const ShadingMaterial<Real>& material,
-                                     Surface<Real>& surface) const {
+                                     SurfacePoint<Real>& surface) const {
   if (!surface.has_uv) return;
   const auto frame = tangents_of(surface, *inputs_.geometry, TangentLengths::in_proportion);
   if (!frame) return;
@@ -286,7 +286,7 @@ void Tracer<Real, Recorder>::move_uv(const Ray<Real>& ray, const ShadingMaterial
 }
 
 template <class Real, class Recorder>
-void Tracer<Real, Recorder>::map_normal(const ShadingMaterial<Real>& material, Surface<Real>& surface) const {
+void Tracer<Real, Recorder>::map_normal(const ShadingMaterial<Real>& material, SurfacePoint<Real>& surface) const {
   const auto frame = tangents_of(surface, *inputs_.geometry);
   if (!frame) return;
   const auto space = tangent_space(surface.shading_normal, *frame);
@@ -316,7 +316,7 @@ Vec3<Real> Tracer<Real, Recorder>::read_finest(int texture, const Vec2<Real>& uv
 }
 
 template <class Real, class Recorder>
-ShadingMaterial<Real> Tracer<Real, Recorder>::varied_material(const Surface<Real>& surface,
+ShadingMaterial<Real> Tracer<Real, Recorder>::varied_material(const SurfacePoint<Real>& surface,
                                                               const ShadingMaterial<Real>& material) const {
   ShadingMaterial<Real> own = material;
   if (material.specular_map >= 0 && inputs_.settings.lighting)
@@ -330,7 +330,7 @@ ShadingMaterial<Real> Tracer<Real, Recorder>::varied_material(const Surface<Real
 }
 
 template <class Real, class Recorder>
-Vec3<Real> Tracer<Real, Recorder>::textured_colour(const Surface<Real>& surface,
+Vec3<Real> Tracer<Real, Recorder>::textured_colour(const SurfacePoint<Real>& surface,
                                                    const ShadingMaterial<Real>& material) const {
   if (material.texture < 0 || !inputs_.settings.textures || !surface.has_uv) return material.colour;
   return read_finest(material.texture, surface.uv) * material.colour;
@@ -372,7 +372,7 @@ RayEvent Tracer<Real, Recorder>::ray_event(const Ray<Real>& ray, RayKind kind, i
 }
 
 template <class Real, class Recorder>
-HitEvent Tracer<Real, Recorder>::hit_event(const Hit<Real>& hit, const Surface<Real>& surface) const {
+HitEvent Tracer<Real, Recorder>::hit_event(const Hit<Real>& hit, const SurfacePoint<Real>& surface) const {
   HitEvent event;
   event.id = id_of(*inputs_.geometry, hit);
   event.t = static_cast<double>(hit.t);

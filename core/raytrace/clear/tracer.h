@@ -8,7 +8,7 @@
 #include "raytrace/clear/eye_media.h"
 #include "raytrace/clear/intersector.h"
 #include "raytrace/clear/medium.h"
-#include "raytrace/clear/surface.h"
+#include "raytrace/clear/surface_point.h"
 
 namespace ps {
 
@@ -17,8 +17,8 @@ template <class Real>
 struct TracedPixel {
   Vec3<Real> colour{0};
   Ray<Real> ray;
-  Hit<Real> hit;          ///< of the eye ray; not found() = background
-  Surface<Real> surface;  ///< only if hit
+  Hit<Real> hit;               ///< of the eye ray; not found() = background
+  SurfacePoint<Real> surface;  ///< only if hit
   std::uint32_t shadow_mask = 0;
 };
 
@@ -66,7 +66,7 @@ class Tracer {
                                   ReuseEvent around) const;
 
   /// What is between a surface and a light that lies in the direction `to_light`, up to t_max of it.
-  std::optional<PixelId> find_blocker(const Surface<Real>& surface, int light, const Vec3<Real>& to_light,
+  std::optional<PixelId> find_blocker(const SurfacePoint<Real>& surface, int light, const Vec3<Real>& to_light,
                                       Real t_max) const;
 
  private:
@@ -75,14 +75,15 @@ class Tracer {
   /// The colour that comes back along `ray` from `hit`, or from the background. `first` notes what the eye ray found.
   Vec3<Real> colour_of(const Ray<Real>& ray, const Hit<Real>& hit, int depth, Real share, const Medium<Real>& medium,
                        TracedPixel<Real>* first) const;
-  Vec3<Real> shade(const Ray<Real>& ray, const Surface<Real>& surface, int depth, Real share,
+  Vec3<Real> shade(const Ray<Real>& ray, const SurfacePoint<Real>& surface, int depth, Real share,
                    const Medium<Real>& medium, TracedPixel<Real>* first) const;
   /// shade() of a surface of this material.
-  Vec3<Real> shade_as(const Ray<Real>& ray, const Surface<Real>& surface, const ShadingMaterial<Real>& material,
+  Vec3<Real> shade_as(const Ray<Real>& ray, const SurfacePoint<Real>& surface, const ShadingMaterial<Real>& material,
                       int depth, Real share, const Medium<Real>& medium, TracedPixel<Real>* first) const;
   /// What the scene, or the material's picture of its surroundings, shows in the mirrored direction.
-  Vec3<Real> mirrored_colour(const Ray<Real>& ray, const Surface<Real>& surface, const ShadingMaterial<Real>& material,
-                             int depth, Real share, const Medium<Real>& medium) const;
+  Vec3<Real> mirrored_colour(const Ray<Real>& ray, const SurfacePoint<Real>& surface,
+                             const ShadingMaterial<Real>& material, int depth, Real share,
+                             const Medium<Real>& medium) const;
   /// How the light of a transparent surface is divided: local, reflected and transmitted.
   struct Shares {
     Real own = 1, mirrored = 0, refracted = 0;
@@ -92,26 +93,26 @@ class Tracer {
   /// internal reflection; with fixed shares F is 0 otherwise.
   Shares shares_of(const ShadingMaterial<Real>& material, Real fresnel, Real share) const;
   /// Transparency and refraction (CGFS ch. 5).
-  Vec3<Real> see_through(const Ray<Real>& ray, const Surface<Real>& surface, const ShadingMaterial<Real>& material,
+  Vec3<Real> see_through(const Ray<Real>& ray, const SurfacePoint<Real>& surface, const ShadingMaterial<Real>& material,
                          const Vec3<Real>& local, int depth, Real share, const Medium<Real>& medium) const;
   /// Has the surface nothing behind it that light could run through? Then it does not bend light.
-  bool is_flat(const Surface<Real>& surface) const;
-  Vec3<Real> local_colour(const Ray<Real>& ray, const Surface<Real>& surface, const ShadingMaterial<Real>& material,
-                          TracedPixel<Real>* first) const;
+  bool is_flat(const SurfacePoint<Real>& surface) const;
+  Vec3<Real> local_colour(const Ray<Real>& ray, const SurfacePoint<Real>& surface,
+                          const ShadingMaterial<Real>& material, TracedPixel<Real>* first) const;
   /// Parallax mapping (shade/parallax_mapping.h): the texture coordinates become those that the relief shows.
-  void move_uv(const Ray<Real>& ray, const ShadingMaterial<Real>& material, Surface<Real>& surface) const;
+  void move_uv(const Ray<Real>& ray, const ShadingMaterial<Real>& material, SurfacePoint<Real>& surface) const;
   /// Normal mapping (CGFS ch. 15).
-  void map_normal(const ShadingMaterial<Real>& material, Surface<Real>& surface) const;
+  void map_normal(const ShadingMaterial<Real>& material, SurfacePoint<Real>& surface) const;
   /// Rays have no footprint, so they read the finest level of a texture.
   Vec3<Real> read_finest(int texture, const Vec2<Real>& uv, TextureUse use = TextureUse::surface) const;
   /// A material as its maps make it at the point (MTL: map_Ks, map_Ka, map_d).
-  ShadingMaterial<Real> varied_material(const Surface<Real>& surface, const ShadingMaterial<Real>& material) const;
-  Vec3<Real> textured_colour(const Surface<Real>& surface, const ShadingMaterial<Real>& material) const;
+  ShadingMaterial<Real> varied_material(const SurfacePoint<Real>& surface, const ShadingMaterial<Real>& material) const;
+  Vec3<Real> textured_colour(const SurfacePoint<Real>& surface, const ShadingMaterial<Real>& material) const;
   /// With the shadow cache, what blocked this light last time is tested before everything else (CGFS ch. 5).
   Hit<Real> any_blocker(const Ray<Real>& ray, int light) const;
   RayEvent eye_ray_event(const Ray<Real>& ray, const EyeMedia<Real>& media) const;
   static RayEvent ray_event(const Ray<Real>& ray, RayKind kind, int depth, Real share);
-  HitEvent hit_event(const Hit<Real>& hit, const Surface<Real>& surface) const;
+  HitEvent hit_event(const Hit<Real>& hit, const SurfacePoint<Real>& surface) const;
 
   const TraceInputs<Real>& inputs_;
   Recorder& recorder_;

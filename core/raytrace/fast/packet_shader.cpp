@@ -51,7 +51,7 @@ void PacketShader::find_shadows(unsigned lanes, std::span<const Ray<float>> rays
   std::fill(blocked_.begin(), blocked_.end(), 0u);
   for (std::size_t lane = 0; lane < hits.size(); ++lane) {
     if ((lanes >> lane & 1u) == 0) continue;
-    const Surface<float> surface = surface_of(rays[lane], hits[lane], inputs_);
+    const SurfacePoint<float> surface = surface_of(rays[lane], hits[lane], inputs_);
     for (int axis = 0; axis < 3; ++axis) {
       packet_.point[static_cast<std::size_t>(axis)][lane] = surface.point[axis];
       packet_.normal[static_cast<std::size_t>(axis)][lane] = surface.shading_normal[axis];
@@ -60,7 +60,7 @@ void PacketShader::find_shadows(unsigned lanes, std::span<const Ray<float>> rays
   }
 }
 
-void PacketShader::find_shadows_of(std::size_t lane, const Ray<float>& ray, const Surface<float>& surface) {
+void PacketShader::find_shadows_of(std::size_t lane, const Ray<float>& ray, const SurfacePoint<float>& surface) {
   const LitPoint<float> point{surface.point, surface.shading_normal, -ray.direction};
   const ShadingMaterial<float>& material = inputs_.materials[surface.material];
   const IlluminationOptions options = illumination_options(inputs_.settings);

@@ -28,7 +28,7 @@ class PacketShader {
   /// Which lights do not reach these lanes? Fills their points and normals on the way.
   void find_shadows(unsigned lanes, std::span<const Ray<float>> rays, std::span<const Hit<float>> hits);
   /// As find_shadows(), for one lane.
-  void find_shadows_of(std::size_t lane, const Ray<float>& ray, const Surface<float>& surface);
+  void find_shadows_of(std::size_t lane, const Ray<float>& ray, const SurfacePoint<float>& surface);
 
   const TraceInputs<float>& inputs_;
   const HitTables& tables_;

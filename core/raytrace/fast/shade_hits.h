@@ -11,8 +11,8 @@
 namespace ps {
 
 /// The fast path of shading: what eye rays of neighbouring pixels met on triangles of plain materials, eight hits at
-/// once. It repeats surface.h and shade/illumination.h operation by operation, so every colour is the same to the last
-/// bit; a test holds them together.
+/// once. It repeats surface_point.h and shade/illumination.h operation by operation, so every colour is the same to the
+/// last bit; a test holds them together.
 
 /// Hits, lane by lane. Lanes that hold none may hold any triangle of the scene.
 struct alignas(32) HitPacket {

@@ -49,9 +49,9 @@ double off_plane(const Vec3f& point, const TracedTriangle<float>& triangle) {
 /// One hit as both tests find it.
 struct Met {
   TracedTriangle<float> triangle;
-  Vec3f along_ray, weighed;  ///< where Moeller-Trumbore puts it, by o + t d and by its weights
-  Surface<float> surface;    ///< where the watertight test puts it
-  Vec3f facing;              ///< the normal on the side that the eye ray came from
+  Vec3f along_ray, weighed;     ///< where Moeller-Trumbore puts it, by o + t d and by its weights
+  SurfacePoint<float> surface;  ///< where the watertight test puts it
+  Vec3f facing;                 ///< the normal on the side that the eye ray came from
 };
 
 constexpr int rays_a_hit = 20;

@@ -82,16 +82,17 @@ Errors errors_at(double distance, const StabilityRun& run) {
     settings.renderer = renderer_for(PictureWay::fragments);
     for (const bool camera_relative : {true, false}) {
       settings.camera_relative = camera_relative;
-      const auto pass = raster::make_pass<float>(scene, {camera, 600, 600}, settings, Channel::none, prepared);
-      const auto vertices = raster::run_vertex_stage(pass, std::vector<bool>(pass.objects.size(), false),
+      const auto inputs =
+          raster::make_raster_inputs<float>(scene, {camera, 600, 600}, settings, Channel::none, prepared);
+      const auto vertices = raster::run_vertex_stage(inputs, std::vector<bool>(inputs.objects.size(), false),
                                                      raster::VertexUse::picture, ParallelOptions{1}, progress);
-      const auto exact = raster::make_canvas_projection<double>(pass.viewport);
+      const auto exact = raster::make_canvas_projection<double>(inputs.viewport);
       for (std::size_t v = 0; v < vertices[0].camera.size(); ++v) {
-        const Vec3d own = pass.objects[0].mesh->positions[v];
+        const Vec3d own = inputs.objects[0].mesh->positions[v];
         const Vec3d truth(dot(camera.right, own), dot(camera.up, own), dot(camera.forward, own) + eye_distance);
         const Vec2d place = exact.from_top_left(truth);
         const auto off = [&](const Vec3f& point) {
-          return glm::length(Vec2d(pass.projection.from_top_left(point)) - place);
+          return glm::length(Vec2d(inputs.projection.from_top_left(point)) - place);
         };
         (camera_relative ? errors.relative : errors.rounded_first).add(off(Vec3f(vertices[0].camera[v])));
         if (!camera_relative) errors.matrix.add(off(matrix(centre + own)));

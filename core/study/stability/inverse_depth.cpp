@@ -65,17 +65,18 @@ std::vector<double> depths(const Wall& wall, DepthValue value, const StabilityRu
   const Scene scene = scene_of(wall);
   Prepared prepared;
   Progress progress;
-  const auto pass = raster::make_pass<float>(scene, {scene.camera, canvas, canvas}, settings, Channel::none, prepared);
-  const auto geometry = raster::make_geometry(pass, {}, ParallelOptions{1}, progress);
+  const auto inputs =
+      raster::make_raster_inputs<float>(scene, {scene.camera, canvas, canvas}, settings, Channel::none, prepared);
+  const auto geometry = raster::make_geometry(inputs, {}, ParallelOptions{1}, progress);
   const raster::ScreenTriangle<float>& triangle = geometry.batches.at(0).triangles.at(0);
   raster::TriangleSetup<float> setup;
   setup.triangle = &triangle;
-  setup.edges = *raster::make_edges(triangle.corners, pass.grid);
+  setup.edges = *raster::make_edges(triangle.corners, inputs.grid);
   setup.inverse_area = 1.0f / static_cast<float>(setup.edges.area);
   std::vector<double> row;
   for (int column = wall.first_column(); column <= wall.last_column(); ++column) {
-    const auto fragment = raster::make_fragment(pass, setup, column, middle, setup.edges.at(column, middle));
-    const double stored = static_cast<double>(raster::depth_value(pass, setup, fragment, pass.grid.sample));
+    const auto fragment = raster::make_fragment(inputs, setup, column, middle, setup.edges.at(column, middle));
+    const double stored = static_cast<double>(raster::depth_value(inputs, setup, fragment, inputs.grid.sample));
     row.push_back(value == DepthValue::inverse_z ? 1 / stored : stored);
   }
   return row;

@@ -7,7 +7,7 @@
 #include "agreement/hardware/hardware_pair.h"
 #include "base/check.h"
 #include "hardware/gl_thread.h"
-#include "hardware/render_hardware.h"
+#include "hardware/render.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "render/render.h"

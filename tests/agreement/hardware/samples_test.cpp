@@ -62,7 +62,7 @@ struct Held {
   std::vector<int> stencils;
   bool operator==(const Held&) const = default;
 };
-Held held_by(hardware::Workshop& shop, const hardware::Target& target, Vec2i pixel) {
+Held held_by(hardware::Workshop& shop, const hardware::Framebuffer& target, Vec2i pixel) {
   Held held;
   held.depths = shop.sample_reader->depths(target, pixel).value_or(std::vector<float>{});
   if (target.shape().stencil) held.stencils = shop.sample_reader->stencils(target, pixel);

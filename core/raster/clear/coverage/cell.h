@@ -12,7 +12,7 @@ struct CellTest {
   int edge = -1;
 };
 
-inline CellTest test_cell(const TriangleEdges& edges, const TileRect& box) {
+inline CellTest test_cell(const EdgeFunctions& edges, const TileRect& box) {
   const auto corner = edges.at(box.x0, box.y0);
   CellTest test;
   for (std::size_t i = 0; i < 3; ++i) {

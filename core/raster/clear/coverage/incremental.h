@@ -7,7 +7,7 @@ namespace ps::raster {
 /// are integers.
 template <class Sink>
 void walk_incremental(const CoverageInput& input, const TileRect& box, Sink& sink) {
-  const TriangleEdges& edges = input.edges;
+  const EdgeFunctions& edges = input.edges;
   sink.test_all(box);
   std::array<std::int64_t, 3> row_values = edges.at(box.x0, box.y0);
   for (int row = box.y0; row < box.y1; ++row) {

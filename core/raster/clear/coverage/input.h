@@ -13,7 +13,7 @@ namespace ps::raster {
 ///   cover(column, row[, values])  the sample is covered; at most once for each; values are those of the edges there
 struct CoverageInput {
   std::array<FixedPoint, 3> corners{};
-  TriangleEdges edges;
+  EdgeFunctions edges;
   CoverageGrid grid;
   TileRect whole;  ///< the triangle's samples inside the picture; steps start here, wherever tiles begin
   Projection projection = Projection::perspective;

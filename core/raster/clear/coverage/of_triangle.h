@@ -1,5 +1,5 @@
 #pragma once
-#include "raster/base/pass.h"
+#include "raster/base/raster_inputs.h"
 #include "raster/base/screen_triangle.h"
 #include "raster/clear/coverage/input.h"
 
@@ -7,8 +7,9 @@ namespace ps::raster {
 
 /// A triangle as a coverage strategy is given it.
 template <class Real>
-CoverageInput coverage_input(const Pass<Real>& pass, const ScreenTriangle<Real>& triangle, const TriangleEdges& edges) {
-  return {triangle.corners, edges, pass.grid, triangle.box, pass.settings.projection};
+CoverageInput coverage_input(const RasterInputs<Real>& inputs, const ScreenTriangle<Real>& triangle,
+                             const EdgeFunctions& edges) {
+  return {triangle.corners, edges, inputs.grid, triangle.box, inputs.settings.projection};
 }
 
 }  // namespace ps::raster

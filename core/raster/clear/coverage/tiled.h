@@ -12,7 +12,7 @@ constexpr int mask_tile = 8;
 /// A row's eight bits from column `n` on; 8 = none.
 constexpr std::array<std::uint8_t, 9> row_from{0xFF, 0xFE, 0xFC, 0xF8, 0xF0, 0xE0, 0xC0, 0x80, 0x00};
 
-inline std::uint64_t edge_mask(const TriangleEdges& edges, std::size_t i, int x, int y) {
+inline std::uint64_t edge_mask(const EdgeFunctions& edges, std::size_t i, int x, int y) {
   const std::int64_t step = edges.step_x[i];
   std::int64_t value = edges.at(x, y)[i];
   std::uint64_t mask = 0;

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "hardware/gl_thread.h"
-#include "hardware/render_hardware.h"
+#include "hardware/render.h"
 #include "hardware/story_drawer.h"
 
 namespace ps::hardware {

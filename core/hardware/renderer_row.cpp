@@ -1,9 +1,9 @@
 #include "hardware/renderer.h"
 
+#include "hardware/fast_path.h"
 #include "hardware/gl_thread.h"
 #include "hardware/lacks.h"
-#include "hardware/machinery.h"
-#include "hardware/render_hardware.h"
+#include "hardware/render.h"
 #include "hardware/shader_listing.h"
 #include "raster/setup/left_out.h"
 

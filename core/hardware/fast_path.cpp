@@ -1,4 +1,4 @@
-#include "hardware/machinery.h"
+#include "hardware/fast_path.h"
 
 #include <fmt/format.h>
 

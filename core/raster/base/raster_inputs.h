@@ -3,7 +3,6 @@
 #include <memory>
 #include <vector>
 
-#include "base/block_store.h"
 #include "frame/fast_kernels.h"
 #include "frame/frame.h"
 #include "frame/prepared.h"
@@ -23,37 +22,9 @@ struct ShadowMap;       // shadow/shadow_map.h
 struct Stencil;         // shadow/stencil.h
 struct EnvironmentMap;  // environment/environment_map.h
 
-/// A vertex's place on the canvas (FixedPoint), and in `outside` one bit for each plane of Pass::planes that it lies
-/// behind; no_place where it has no place in fixed point at all.
-struct VertexPlace {
-  static constexpr std::uint32_t no_place = 1u << 31;
-  std::int32_t column = 0, row = 0;
-  std::uint32_t outside = 0;
-  std::uint32_t unused = 0;
-};
-
-/// An object's vertices after the vertex stage. The fourth scalar only makes them easy to read for the fast path.
+/// All that stays the same while one picture is made, in the precision of the picture.
 template <class Real>
-struct VertexBuffer {
-  BlockVector<Vec4<Real>> camera;   ///< camera space; from the fast path with 1 / z
-  BlockVector<Vec4<Real>> world;    ///< empty unless shading needs it; from the fast path with 1 / z
-  BlockVector<Vec4<Real>> normals;  ///< world space, length 1; empty unless shading needs them
-  BlockVector<VertexPlace> places;  ///< only from the fast path, and while one pixel is inspected
-  /// Only from the fast path, where shading needs both and each vertex has its own normal: of every vertex the normal
-  /// and then the world position, both divided by z, with 1 / z as the last number. In place of `world` and `normals`.
-  BlockVector<Vec4<Real>> lit;
-
-  /// Where few triangles ask (while one pixel is inspected, and of the fast path's those that something cuts), their
-  /// vertices' world positions and normals are made from these when they are asked for, where shading needs them.
-  const DrawObject* world_of = nullptr;
-  const DrawObject* normals_of = nullptr;
-
-  bool has_normals() const { return !normals.empty() || normals_of; }
-};
-
-/// Everything that stays the same while one picture is made.
-template <class Real>
-struct Pass {
+struct RasterInputs {
   const Scene* scene = nullptr;
   Settings settings;
   Channel channels = Channel::none;
@@ -93,12 +64,12 @@ struct Pass {
 /// +1, or -1 where a triangle of the object that turns its front to the eye runs clockwise in camera space: the
 /// camera's frame mirrors the world, or the instance its model.
 template <class Real>
-inline double facing_sense(const Pass<Real>& pass, const DrawObject& object) {
-  return object.mirrored ? -pass.camera_space.handedness : pass.camera_space.handedness;
+inline double facing_sense(const RasterInputs<Real>& inputs, const DrawObject& object) {
+  return object.mirrored ? -inputs.camera_space.handedness : inputs.camera_space.handedness;
 }
 
 template <class Real>
-Pass<Real> make_pass(const Scene& scene, const View& view, const Settings& settings, Channel channels,
-                     Prepared& prepared);
+RasterInputs<Real> make_raster_inputs(const Scene& scene, const View& view, const Settings& settings, Channel channels,
+                                      Prepared& prepared);
 
 }  // namespace ps::raster

@@ -1,4 +1,4 @@
-#include "hardware/target.h"
+#include "hardware/framebuffer.h"
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ constexpr std::array<GLenum, 4> formats{GL_RGBA32F, GL_RGBA32I, GL_RGBA32F, GL_R
 /// a pixel with several samples lies beyond an edge.
 constexpr float without_weights = -1e29f;
 
-GLenum depth_format(const TargetShape& shape) {
+GLenum depth_format(const FramebufferShape& shape) {
   switch (shape.depth) {
   case DepthStore::float32:
     return shape.stencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F;
@@ -32,12 +32,12 @@ GLenum depth_format(const TargetShape& shape) {
   return GL_DEPTH_COMPONENT32F;
 }
 
-GLenum depth_place(const TargetShape& shape) {
+GLenum depth_place(const FramebufferShape& shape) {
   return shape.stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT;
 }
 
 template <class Pixel>
-std::vector<Pixel> read_pixels(unsigned picture, const TargetShape& shape, GLenum format, GLenum type) {
+std::vector<Pixel> read_pixels(unsigned picture, const FramebufferShape& shape, GLenum format, GLenum type) {
   std::vector<Pixel> pixels(static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height));
   glReadBuffer(GL_COLOR_ATTACHMENT0 + picture);
   glReadPixels(0, 0, shape.width, shape.height, format, type, pixels.data());
@@ -46,7 +46,7 @@ std::vector<Pixel> read_pixels(unsigned picture, const TargetShape& shape, GLenu
 
 }  // namespace
 
-Target::Target(const TargetShape& shape) : shape_(shape) {
+Framebuffer::Framebuffer(const FramebufferShape& shape) : shape_(shape) {
   try {
     make(drawn_, shape.samples);
     if (shape.samples > 1) make(resolved_, 1);
@@ -56,7 +56,7 @@ Target::Target(const TargetShape& shape) : shape_(shape) {
   }
 }
 
-void Target::make(Pictures& pictures, int samples) const {
+void Framebuffer::make(Pictures& pictures, int samples) const {
   glGenFramebuffers(1, &pictures.framebuffer);
   glBindFramebuffer(GL_FRAMEBUFFER, pictures.framebuffer);
   const auto attach = [&](unsigned& buffer, GLenum format, GLenum place) {
@@ -91,7 +91,7 @@ void Target::make(Pictures& pictures, int samples) const {
 }
 
 // A shader can read single samples of a texture, and of no other buffer.
-bool Target::attach_texture(unsigned& texture, unsigned format, unsigned place, int samples) const {
+bool Framebuffer::attach_texture(unsigned& texture, unsigned format, unsigned place, int samples) const {
   const bool depth = place == depth_place(shape_);
   GLint most = 0;
   glGetIntegerv(depth ? GL_MAX_DEPTH_TEXTURE_SAMPLES : GL_MAX_COLOR_TEXTURE_SAMPLES, &most);
@@ -110,14 +110,14 @@ bool Target::attach_texture(unsigned& texture, unsigned format, unsigned place, 
   return true;
 }
 
-std::optional<unsigned> Target::depth_samples() const {
+std::optional<unsigned> Framebuffer::depth_samples() const {
   if (drawn_.depth_texture == 0) return {};
   return drawn_.depth_texture;
 }
 
-Target::~Target() { release(); }
+Framebuffer::~Framebuffer() { release(); }
 
-void Target::release() {
+void Framebuffer::release() {
   for (const Pictures* pictures : {&drawn_, &resolved_}) {
     glDeleteFramebuffers(1, &pictures->framebuffer);
     glDeleteRenderbuffers(1, &pictures->depth);
@@ -127,12 +127,12 @@ void Target::release() {
   }
 }
 
-void Target::bind() const {
+void Framebuffer::bind() const {
   glBindFramebuffer(GL_FRAMEBUFFER, drawn_.framebuffer);
   glViewport(0, 0, shape_.width, shape_.height);
 }
 
-int Target::share(int first) const {
+int Framebuffer::share(int first) const {
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, depth_place(shape_), GL_RENDERBUFFER, drawn_.depth);
   for (std::size_t i = 1; i < count(); ++i)
     glFramebufferRenderbuffer(GL_FRAMEBUFFER,
@@ -141,7 +141,7 @@ int Target::share(int first) const {
   return static_cast<int>(count()) - 1;
 }
 
-void Target::resolve() const {
+void Framebuffer::resolve() const {
   if (shape_.samples == 1) return;
   glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.framebuffer);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.framebuffer);
@@ -153,7 +153,7 @@ void Target::resolve() const {
   check_gl("resolving samples");
 }
 
-void Target::bind_resolved() const {
+void Framebuffer::bind_resolved() const {
   glBindFramebuffer(GL_FRAMEBUFFER, shape_.samples > 1 ? resolved_.framebuffer : drawn_.framebuffer);
   const std::array<GLenum, most_pictures> places{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2,
                                                  GL_COLOR_ATTACHMENT3};
@@ -161,7 +161,7 @@ void Target::bind_resolved() const {
   glViewport(0, 0, shape_.width, shape_.height);
 }
 
-void Target::clear(const Vec3d& background, float depth) const {
+void Framebuffer::clear(const Vec3d& background, float depth) const {
   const Vec3f colour(background);
   const std::array<float, 4> rgba{colour.x, colour.y, colour.z, 1};
   glClearBufferfv(GL_COLOR, 0, rgba.data());
@@ -178,7 +178,7 @@ void Target::clear(const Vec3d& background, float depth) const {
   glClearBufferfv(GL_COLOR, 3, zeros.data());
 }
 
-void Target::resolve_pixel(Vec2i pixel) const {
+void Framebuffer::resolve_pixel(Vec2i pixel) const {
   if (shape_.samples == 1) return;
   glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.framebuffer);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.framebuffer);
@@ -187,7 +187,7 @@ void Target::resolve_pixel(Vec2i pixel) const {
   glBlitFramebuffer(x, y, x + 1, y + 1, x, y, x + 1, y + 1, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-Vec4f Target::read_pixel(Vec2i pixel) const {
+Vec4f Framebuffer::read_pixel(Vec2i pixel) const {
   Vec4f colour;
   glBindFramebuffer(GL_READ_FRAMEBUFFER, shape_.samples > 1 ? resolved_.framebuffer : drawn_.framebuffer);
   glReadBuffer(GL_COLOR_ATTACHMENT0);
@@ -195,21 +195,21 @@ Vec4f Target::read_pixel(Vec2i pixel) const {
   return colour;
 }
 
-float Target::read_depth(Vec2i pixel) const {
+float Framebuffer::read_depth(Vec2i pixel) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.framebuffer);
   float depth = 0;
   glReadPixels(pixel.x, pixel.y, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
   return depth;
 }
 
-int Target::read_stencil(Vec2i pixel) const {
+int Framebuffer::read_stencil(Vec2i pixel) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.framebuffer);
   GLuint count = 0;
   glReadPixels(pixel.x, pixel.y, 1, 1, GL_STENCIL_INDEX, GL_UNSIGNED_INT, &count);
   return static_cast<int>(count);
 }
 
-void Target::read(Frame& frame) const {
+void Framebuffer::read(Frame& frame) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, shape_.samples > 1 ? resolved_.framebuffer : drawn_.framebuffer);
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
   glReadBuffer(GL_COLOR_ATTACHMENT0);

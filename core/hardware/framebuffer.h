@@ -7,29 +7,29 @@
 
 namespace ps::hardware {
 
-/// In what a target keeps depths.
+/// In what a framebuffer keeps depths.
 enum class DepthStore { float32, unorm24, unorm16 };
 
-/// What a target must have room for.
-struct TargetShape {
+/// What a framebuffer must have room for.
+struct FramebufferShape {
   int width = 0, height = 0;
   DepthStore depth = DepthStore::float32;
   bool stencil = false;   ///< 8 bits, not beside a depth of 16 bits
   bool channels = false;  ///< more than the colour
   int samples = 1;        ///< of a pixel
-  bool operator==(const TargetShape&) const = default;
+  bool operator==(const FramebufferShape&) const = default;
 };
 
 /// Pictures to draw into: linear colours as 32-bit floats, what fragment.glsl writes besides, and a depth buffer. Row 0
 /// is the top row of the picture, so that a driver gives samples on an edge to the same triangle as the rasterizer.
-class Target {
+class Framebuffer {
  public:
-  explicit Target(const TargetShape& shape);
-  ~Target();
-  Target(const Target&) = delete;
-  Target& operator=(const Target&) = delete;
+  explicit Framebuffer(const FramebufferShape& shape);
+  ~Framebuffer();
+  Framebuffer(const Framebuffer&) = delete;
+  Framebuffer& operator=(const Framebuffer&) = delete;
 
-  const TargetShape& shape() const { return shape_; }
+  const FramebufferShape& shape() const { return shape_; }
   /// Draws go here from now on.
   void bind() const;
   /// Fills the colours with the background, the depth buffer with `depth`, and all else with "nothing is seen".
@@ -72,7 +72,7 @@ class Target {
   void release();
   std::size_t count() const { return shape_.channels ? most_pictures : 1; }
 
-  TargetShape shape_;
+  FramebufferShape shape_;
   Pictures drawn_;     ///< what is drawn into
   Pictures resolved_;  ///< what is read, where `drawn_` has several samples
 };

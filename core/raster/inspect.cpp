@@ -34,14 +34,14 @@ class StorySink : public ClearSink<Real, PixelRecorder> {
       story.triangles_elsewhere += batch.elsewhere;
       rejected_.insert(rejected_.end(), batch.rejected.begin(), batch.rejected.end());
     }
-    for (std::size_t i = 0; i < pass.objects.size(); ++i)
-      if (geometry.vertices[i].camera.empty()) story.triangles_elsewhere += pass.objects[i].mesh->triangles.size();
+    for (std::size_t i = 0; i < inputs.objects.size(); ++i)
+      if (geometry.vertices[i].camera.empty()) story.triangles_elsewhere += inputs.objects[i].mesh->triangles.size();
     near_ = pick_near();
   }
 
   void step(const DrawStep& step, std::size_t number) {
     if (number > 0) return this->draw(near_, step);
-    const bool in_order = pass.settings.visibility != Visibility::painter;
+    const bool in_order = inputs.settings.visibility != Visibility::painter;
     if (!in_order) report_rejected(~std::uint32_t{0});
     for (std::size_t i = 0; i < near_.size();) {
       if (in_order) report_rejected(sequence(near_[i]));
@@ -55,10 +55,10 @@ class StorySink : public ClearSink<Real, PixelRecorder> {
   }
 
  private:
-  using ClearSink<Real, PixelRecorder>::pass, ClearSink<Real, PixelRecorder>::geometry;
+  using ClearSink<Real, PixelRecorder>::inputs, ClearSink<Real, PixelRecorder>::geometry;
   using ClearSink<Real, PixelRecorder>::recorder;
 
-  bool filled() const { return pass.settings.draw == Draw::filled; }
+  bool filled() const { return inputs.settings.draw == Draw::filled; }
   const ScreenTriangle<Real>& triangle(const PrimitiveRef& ref) const {
     return geometry.batches[ref.batch].triangles[ref.index];
   }
@@ -73,20 +73,20 @@ class StorySink : public ClearSink<Real, PixelRecorder> {
     if (filled()) return touch(triangle(ref).box, around(story_.pixel));
     const ScreenLine<Real>& edge = line(ref);
     if (touch(edge.box, around(story_.pixel))) return true;
-    const std::size_t object = pass.surfaces[edge.surface].drawn;
-    const MeshTriangle& mesh = pass.objects[object].mesh->triangles[static_cast<std::size_t>(edge.triangle)];
+    const std::size_t object = inputs.surfaces[edge.surface].drawn;
+    const MeshTriangle& mesh = inputs.objects[object].mesh->triangles[static_cast<std::size_t>(edge.triangle)];
     std::array<Vec3<Real>, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) corners[k] = Vec3<Real>(geometry.vertices[object].camera[mesh.position[k]]);
-    return near_pixel(pass, corners, story_.pixel);
+    return near_pixel(inputs, corners, story_.pixel);
   }
   /// Reports a triangle near the pixel whose edges, or vertices, all miss it.
   void report_untouched(const ScreenLine<Real>& edge) {
     recorder.event([&] {
-      const Surface<Real>& surface = pass.surfaces[edge.surface];
+      const Surface<Real>& surface = inputs.surfaces[edge.surface];
       RejectEvent event;
       event.id = {surface.object, edge.triangle};
       event.reason = RejectReason::not_covered;
-      event.detail = pass.settings.draw == Draw::points ? "no vertex lies in it" : "no edge passes through it";
+      event.detail = inputs.settings.draw == Draw::points ? "no vertex lies in it" : "no edge passes through it";
       name_by_object(surface.sphere, event);
       return event;
     });
@@ -100,7 +100,7 @@ class StorySink : public ClearSink<Real, PixelRecorder> {
     std::set<std::uint32_t> covered;
     std::uint64_t triangles = 0;
     auto last = ~std::uint32_t{0};
-    for (const PrimitiveRef& ref : drawing_order(pass, geometry)) {
+    for (const PrimitiveRef& ref : drawing_order(inputs, geometry)) {
       if (sequence(ref) != last) ++triangles;
       last = sequence(ref);
       if (!is_near(ref)) continue;
@@ -118,17 +118,17 @@ class StorySink : public ClearSink<Real, PixelRecorder> {
     return near;
   }
   bool covers(const ScreenTriangle<Real>& candidate) const {
-    const auto edges = make_edges(candidate.corners, pass.grid);
-    if (edges && pass.grid.samples > 1) {
-      const SubSampleEdges sub = make_sub_sample_edges(*edges, pass.grid.subpixel_bits);
+    const auto edges = make_edges(candidate.corners, inputs.grid);
+    if (edges && inputs.grid.samples > 1) {
+      const SubSampleEdges sub = make_sub_sample_edges(*edges, inputs.grid.subpixel_bits);
       const auto middle = edges->at(story_.pixel.x, story_.pixel.y);
-      const auto samples = sample_pattern(pass.grid.samples);
+      const auto samples = sample_pattern(inputs.grid.samples);
       return std::any_of(samples.begin(), samples.end(),
                          [&](const SubSample& sample) { return sub.inside(sub.at(middle, sample)); });
     }
-    return edges &&
-           decide_sample<Real>(pass.coverage, coverage_input(pass, candidate, *edges), story_.pixel.x, story_.pixel.y)
-               .covered;
+    return edges && decide_sample<Real>(inputs.coverage, coverage_input(inputs, candidate, *edges), story_.pixel.x,
+                                        story_.pixel.y)
+                        .covered;
   }
   void report_rejected(std::uint32_t before) {
     for (; reported_ < rejected_.size() && rejected_[reported_].sequence < before; ++reported_)
@@ -147,16 +147,16 @@ PixelStory story_of(const Scene& scene, const View& view, const Settings& settin
   PixelStory story;
   story.pixel = pixel;
   story.renderer = Renderer::rasterizer;
-  Pass<Real> pass = make_pass<Real>(scene, view, settings, Channel::none, prepared);
-  add_maps(pass, scene, view, {pixel.x, pixel.y, pixel.x + 1, pixel.y + 1}, StencilNotes::crossings, prepared,
+  RasterInputs<Real> inputs = make_raster_inputs<Real>(scene, view, settings, Channel::none, prepared);
+  add_maps(inputs, scene, view, {pixel.x, pixel.y, pixel.x + 1, pixel.y + 1}, StencilNotes::crossings, prepared,
            {settings.threads, {}}, progress);
-  const ScreenGeometry<Real> geometry = make_geometry(pass, pixel, {settings.threads, {}}, progress);
+  const ScreenGeometry<Real> geometry = make_geometry(inputs, pixel, {settings.threads, {}}, progress);
   const TileRect rect{pixel.x, pixel.y, pixel.x + 1, pixel.y + 1};
   PixelRecorder recorder(pixel);
   recorder.counters = geometry.counters;
   Frame frame = make_frame(scene, {view.camera, 1, 1}, settings, Channel::none);
   Target<Real> target(frame, rect, settings, Channel::none, pixel);
-  walk_fragments(pass, target, StorySink<Real>({pass, geometry, target, recorder}, story));
+  walk_fragments(inputs, target, StorySink<Real>({inputs, geometry, target, recorder}, story));
   story.linear = Vec3d(target.colour(pixel.x, pixel.y));
   const Rgb8 levels = display_pixel(story.linear, display_transform(settings));
   story.display = {levels.r, levels.g, levels.b};

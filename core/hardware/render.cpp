@@ -1,4 +1,4 @@
-#include "hardware/render_hardware.h"
+#include "hardware/render.h"
 
 #include <fmt/format.h>
 
@@ -12,8 +12,8 @@
 #include "frame/eye_directions.h"
 #include "frame/region.h"
 #include "hardware/environment_maps.h"
+#include "hardware/fast_path.h"
 #include "hardware/kept_volumes.h"
-#include "hardware/machinery.h"
 #include "hardware/picture_drawer.h"
 #include "image/display.h"
 
@@ -30,7 +30,7 @@ const Driver& require_driver(const View& view) {
   if (static_cast<std::int64_t>(view.width) * view.height >= large)
     on_gl_thread([&](Workshop& shop) {
       if (!shop.target || shop.target->shape().width != view.width || shop.target->shape().height != view.height)
-        const Target trial({.width = view.width, .height = view.height});
+        const Framebuffer trial({.width = view.width, .height = view.height});
     });
   return driver;
 }

@@ -42,16 +42,16 @@ class Picture {
       : scene_(scene), view_(view), request_(request),
         progress_(progress), parallel_{settings.threads, request.priority},
         frame_(make_frame(scene, view, settings, request.channels, Background::left_to_tiles)), stages_(frame_),
-        pass_(make_pass<Real>(scene, view, settings, request.channels, prepared)) {
+        inputs_(make_raster_inputs<Real>(scene, view, settings, request.channels, prepared)) {
     stages_.done("prepare");
-    add_maps(pass_, scene, view, {0, 0, view.width, view.height}, StencilNotes::none, prepared, parallel_, progress);
-    if (pass_.has_shadows() || pass_.environment) stages_.done("shadow and environment maps");
-    frame_.path = pass_.path;
+    add_maps(inputs_, scene, view, {0, 0, view.width, view.height}, StencilNotes::none, prepared, parallel_, progress);
+    if (inputs_.has_shadows() || inputs_.environment) stages_.done("shadow and environment maps");
+    frame_.path = inputs_.path;
   }
   Picture(const Picture&) = delete;
   Picture& operator=(const Picture&) = delete;
 
-  const Pass<Real>& pass() const { return pass_; }
+  const RasterInputs<Real>& inputs() const { return inputs_; }
   Frame& frame() { return frame_; }
   Frame take() { return std::move(frame_); }
 
@@ -69,12 +69,12 @@ class Picture {
 
   template <class DrawList>
   void draw_tiles(const DrawList& draw_list) {
-    const ScreenGeometry<Real> geometry = make_geometry(pass_, {}, parallel_, progress_);
+    const ScreenGeometry<Real> geometry = make_geometry(inputs_, {}, parallel_, progress_);
     stages_.done("vertices and clipping");
-    const Bins bins = bin_primitives(pass_, geometry, clear_tile_size, parallel_, progress_);
+    const Bins bins = bin_primitives(inputs_, geometry, clear_tile_size, parallel_, progress_);
     stages_.done("sorting into tiles");
 
-    const Settings& settings = pass_.settings;
+    const Settings& settings = inputs_.settings;
     const std::vector<TileRect> tiles = make_tiles(view_.width, view_.height, clear_tile_size);
     const TileRect region = asked_region(request_, view_.width, view_.height);
     std::vector<Counters> counters(tiles.size());
@@ -84,13 +84,13 @@ class Picture {
       CountingRecorder recorder;
       fill_background(scene_, tiles[i], frame_);
       Target<Real> target(frame_, tiles[i], settings, request_.channels);
-      walk_fragments(pass_, target, TileSink<DrawList>{{pass_, geometry, target, recorder}, draw_list, bins, i});
+      walk_fragments(inputs_, target, TileSink<DrawList>{{inputs_, geometry, target, recorder}, draw_list, bins, i});
       recorder.count(Counter::nan_pixels, target.count_nan_pixels());
       counters[i] = recorder.counters;
       finish_tile(request_, settings, frame_, tiles[i]);
     });
     frame_.counters += geometry.counters;
-    store_map_pictures(pass_, frame_);
+    store_map_pictures(inputs_, frame_);
     for (const Counters& tile : counters) frame_.counters += tile;
     frame_.counters[Counter::lines_drawn] += count_canvas_lines(scene_);
     if (clears_outside(request_)) clear_outside(region, frame_);
@@ -112,23 +112,23 @@ class Picture {
   ParallelOptions parallel_;
   Frame frame_;
   Stages stages_;
-  Pass<Real> pass_;
+  RasterInputs<Real> inputs_;
 };
 
 // What draws the picture is chosen here, once.
 void draw_picture(Picture<float>& picture, const RenderRequest& request, Prepared& prepared, Progress& progress) {
-  const Pass<float>& pass = picture.pass();
-  if (pass.path.machinery == Machinery::clear) return picture.draw_clearly();
-  const PackedTextures textures(pass, prepared);
-  const bool all_fit = std::all_of(pass.surfaces.begin(), pass.surfaces.end(),
+  const RasterInputs<float>& inputs = picture.inputs();
+  if (inputs.path.machinery == Machinery::clear) return picture.draw_clearly();
+  const PackedTextures textures(inputs, prepared);
+  const bool all_fit = std::all_of(inputs.surfaces.begin(), inputs.surfaces.end(),
                                    [&](const auto& surface) { return textures.has_room_for(surface); });
-  const FastPath path = within_limits(pass.path, {request.region.has_value(), !all_fit});
+  const FastPath path = within_limits(inputs.path, {request.region.has_value(), !all_fit});
   picture.frame().path = path;
   if (path.machinery == Machinery::whole_frame)
-    return draw_fast_frame(pass, textures, request, picture.frame(), progress);
-  const BatchKernels kernels = batch_kernels(pass.settings.simd);
+    return draw_fast_frame(inputs, textures, request, picture.frame(), progress);
+  const BatchKernels kernels = batch_kernels(inputs.settings.simd);
   picture.draw_tiles([&](Picture<float>::Sink& sink, std::span<const PrimitiveRef> primitives, const DrawStep&) {
-    BatchDrawer(pass, textures, kernels, sink.geometry, sink.target, sink.recorder).draw(primitives);
+    BatchDrawer(inputs, textures, kernels, sink.geometry, sink.target, sink.recorder).draw(primitives);
   });
 }
 

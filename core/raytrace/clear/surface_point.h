@@ -13,7 +13,7 @@ namespace ps {
 
 /// The point that a ray hit, with all that shading needs.
 template <class Real>
-struct Surface {
+struct SurfacePoint {
   std::uint32_t primitive = no_primitive;
   std::uint32_t detail = 0;    ///< of the hit
   std::uint32_t material = 0;  ///< index into Scene::materials
@@ -34,9 +34,9 @@ inline Vec3<Real> normal_towards(const Ray<Real>& ray, const Vec3<Real>& normal)
 
 /// A point of a sphere: the ray's point, and the direction from the centre (CGFS ch. 3).
 template <class Real>
-inline Surface<Real> sphere_surface(const Ray<Real>& ray, const Hit<Real>& hit, const TracedSphere<Real>& sphere,
-                                    bool has_uv) {
-  Surface<Real> surface;
+inline SurfacePoint<Real> sphere_surface(const Ray<Real>& ray, const Hit<Real>& hit, const TracedSphere<Real>& sphere,
+                                         bool has_uv) {
+  SurfacePoint<Real> surface;
   surface.primitive = hit.primitive;
   surface.detail = hit.detail;
   surface.point = ray.origin + ray.direction * hit.t;
@@ -60,7 +60,7 @@ inline Value blend(const std::array<Real, 3>& weights, const Value& a, const Val
 template <class Real>
 inline void put_triangle_surface(const Ray<Real>& ray, const Hit<Real>& hit, const TracedGeometry<Real>& geometry,
                                  const Primitive& primitive, const TracedTriangle<Real>& triangle,
-                                 const Settings& settings, Surface<Real>& surface) {
+                                 const Settings& settings, SurfacePoint<Real>& surface) {
   surface = {};
   surface.primitive = hit.primitive;
   const auto& w = hit.weights;
@@ -129,11 +129,11 @@ inline Vec2<Real> form_uv(const TracedForm<Real>& form, int face, const Vec3<Rea
 
 /// A point of a solid. Flat forms on their own turn their normal to the ray, unless they have only a front.
 template <class Real>
-inline Surface<Real> solid_surface(const Ray<Real>& ray, const Hit<Real>& hit, const TracedGeometry<Real>& geometry,
-                                   const TracedSolid& solid) {
+inline SurfacePoint<Real> solid_surface(const Ray<Real>& ray, const Hit<Real>& hit,
+                                        const TracedGeometry<Real>& geometry, const TracedSolid& solid) {
   const TracedForm<Real>& form = geometry.forms[solid.first_form + detail_part(hit.detail)];
   const int face = detail_face(hit.detail);
-  Surface<Real> surface;
+  SurfacePoint<Real> surface;
   surface.primitive = hit.primitive;
   surface.detail = hit.detail;
   surface.material = form.material;
@@ -164,7 +164,7 @@ inline PixelId id_of(const TracedGeometry<Real>& geometry, const Hit<Real>& hit)
 /// Fills `surface`, in its place, since it is large, with what a ray found.
 template <class Real>
 inline void put_surface(const Ray<Real>& ray, const Hit<Real>& hit, const TraceInputs<Real>& inputs,
-                        Surface<Real>& surface) {
+                        SurfacePoint<Real>& surface) {
   const TracedGeometry<Real>& geometry = *inputs.geometry;
   const Primitive primitive = primitive_of(geometry, hit.primitive);
   switch (primitive.kind) {
@@ -186,8 +186,8 @@ inline void put_surface(const Ray<Real>& ray, const Hit<Real>& hit, const TraceI
 }
 
 template <class Real>
-inline Surface<Real> surface_of(const Ray<Real>& ray, const Hit<Real>& hit, const TraceInputs<Real>& inputs) {
-  Surface<Real> surface;
+inline SurfacePoint<Real> surface_of(const Ray<Real>& ray, const Hit<Real>& hit, const TraceInputs<Real>& inputs) {
+  SurfacePoint<Real> surface;
   put_surface(ray, hit, inputs, surface);
   return surface;
 }
