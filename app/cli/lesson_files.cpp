@@ -30,7 +30,7 @@ int write_all_handouts(const std::filesystem::path& folder, HandoutFor reader) {
     write_file_atomically(folder / (name + ".html"), html);
     fmt::print("{}\n", (folder / (name + ".html")).string());
   }
-  write_file_atomically(folder / "index.html", handout_index(lessons));
+  write_file_atomically(folder / "index.html", handout_index(load_course(), lessons));
   return 0;
 }
 

@@ -20,6 +20,12 @@ set-both renderer=)";
 constexpr std::string_view behind_renderer = R"(
 ```
 
+```goals
+say how much the shadows darken
+count the rays of shadows
+read the story of a pixel
+```
+
 ## The first step
 
 A step is a heading, its text, a block of settings and what to look for. Picture A has shadows here, picture B has none.

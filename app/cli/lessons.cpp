@@ -70,6 +70,7 @@ int show_lesson(const std::string& name) {
   const Lesson lesson = load_lesson(name);
   fmt::print("{}\n{}\n", lesson.title, lesson.source);
   print_blocks(lesson.blocks);
+  for (const TextBlock& goal : lesson.goals) fmt::print("\nAfterwards you can: {}\n", plain_text(goal));
   print_notes(lesson.notes);
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     const LessonStep& step = lesson.steps[i];

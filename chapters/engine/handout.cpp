@@ -1,199 +1,125 @@
 #include "engine/handout.h"
 
+#include <set>
+#include <utility>
+
 #include <fmt/format.h>
 
-#include "document/permalink.h"
-#include "engine/bug_question.h"
+#include "engine/claim.h"
+#include "engine/glossary.h"
+#include "engine/handout_page.h"
+#include "engine/handout_pictures.h"
+#include "engine/handout_questions.h"
 #include "engine/lesson_length.h"
 #include "engine/metric_words.h"
-#include "frame/display_frame.h"
-#include "image/codec.h"
-#include "image/file.h"
+#include "engine/paper_text.h"
 #include "image/svg.h"
 #include "render/provenance.h"
-#include "render/render.h"
-#include "render/slow_motion.h"
 
 namespace ps {
 namespace {
 
-constexpr std::string_view style_sheet =
-    "body{font:16px/1.5 Georgia,serif;max-width:46em;margin:2em auto;padding:0 1em;color:#111}"
-    "h1,h2,h3,figcaption,table,.question{font-family:Helvetica,Arial,sans-serif}"
-    ".source,figcaption,footer,.link{color:#555;font-size:85%}"
-    ".pictures{display:flex;gap:1em;margin:1em 0}figure{flex:1;margin:0;min-width:0}"
-    "img{width:100%;box-sizing:border-box;border:1px solid #bbb;image-rendering:pixelated}.covered{border:1px solid "
-    "#999;padding:30% 1em;text-align:center}"
-    ".look{border-left:3px solid #999;padding-left:1em}"
-    ".notes{background:#eee;padding:.2em 1em;margin:1em 0;font-size:90%}"
-    "table{border-collapse:collapse;font-size:85%;width:100%}td,th{border:1px solid #bbb;padding:.3em .5em;"
-    "text-align:left;vertical-align:top}.question{border:1px solid #555;padding:.5em 1em;margin:1em 0}"
-    "pre{font:80%/1.35 monospace;white-space:pre-wrap;overflow-wrap:anywhere}"
-    ".write{border-bottom:1px solid #111;display:inline-block;width:12em}code{overflow-wrap:anywhere}"
-    "@media print{body{margin:0;max-width:none}section,.question,figure,tr{break-inside:avoid}}";
-
-std::string page(const std::string& title, const std::string& body) {
-  std::string facts;
-  for (const auto& [key, value] : provenance_facts(provenance_of(Settings{})))
-    if (!value.empty())
-      facts += fmt::format("{}{}: {}", facts.empty() ? "" : "; ", xml_escaped(key), xml_escaped(value));
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\"><head><meta charset=\"utf-8\"/>"
-      "<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>{}</title>\n<style>{}</style></head>\n<body>\n"
-      "{}<footer><p>{}</p></footer>\n</body></html>\n",
-      xml_escaped(title), style_sheet, body, facts);
+std::string box(const std::string& title, const std::string& body) {
+  return fmt::format("<div class=\"box\"><p><b>{}</b></p>\n{}</div>\n", title, body);
 }
 
-Image<Rgb8> picture_of(const Document& document, Side side, Prepared& prepared, Progress& progress) {
-  if (side == Side::b && !document.picture_b.empty()) return load_levels(document.picture_b);
-  const SideState& state = side_of(document, side);
-  RenderRequest request;
-  request.channels = shown_channel(state.show).needs;
-  request.region = document.view.region;
-  const View view = view_of(document);
-  const auto slow = given_slow_motion(state.slow_motion, state.settings, scene_traits(document.scene), state.show);
-  const Frame frame =
-      slow ? render_slowly(document.scene, view, state.settings, *slow, request, prepared, progress).frame
-           : render(document.scene, view, state.settings, request, prepared, progress);
-  if (state.show == ShownChannel::colour) return display_frame(frame, state.settings);
-  return channel_picture(frame, state.show, state.settings).levels;
+std::string list_html(const std::vector<TextBlock>& lines) {
+  std::vector<TextBlock> bullets = lines;
+  for (TextBlock& bullet : bullets) bullet.kind = BlockKind::bullet;
+  return block_html(bullets);
 }
 
-std::string figure(const Image<Rgb8>& levels, std::string_view letter, const SideState& side) {
-  std::string caption = side.show == ShownChannel::colour
-                            ? std::string(letter)
-                            : fmt::format("{}: {}", letter, shown_channel(side.show).label);
-  if (const auto& slow = side.slow_motion)
-    caption += fmt::format(", after {} {}", slow->at, slow_unit(slow->unit).many);
-  return fmt::format("<figure><img alt=\"picture {}\" width=\"{}\" height=\"{}\" src=\"data:image/png;base64,{}\"/>"
-                     "<figcaption>{}</figcaption></figure>\n",
-                     letter, levels.width(), levels.height(), base64(stb_encode_png(levels)), xml_escaped(caption));
-}
-
-std::string pictures(const Document& document, const std::array<bool, 2>& covered, Progress& progress) {
-  Prepared prepared;
-  std::string html = "<div class=\"pictures\">\n";
-  for (const Side side : {Side::a, Side::b}) {
-    if (document.compare == (side == Side::a ? CompareMode::only_b : CompareMode::only_a)) continue;
-    const std::string_view letter = side == Side::a ? "A" : "B";
-    if (covered[side == Side::a ? 0 : 1])
-      html += fmt::format("<figure><div class=\"covered\">{} is shown in the program after your answer.</div>"
-                          "<figcaption>{}</figcaption></figure>\n",
-                          letter, letter);
-    else
-      html += figure(picture_of(document, side, prepared, progress), letter, side_of(document, side));
-  }
-  return html + "</div>\n";
-}
-
-std::string claims(const std::vector<Claim>& claims, Progress& progress) {
+/// The sentences that the lesson measures, with what was measured just now.
+std::string claims_html(const std::vector<Claim>& claims, Progress& progress) {
   if (claims.empty()) return {};
-  std::string html = "<table><tr><th>Claim</th><th>Measured</th><th>Claimed</th><th>Does not hold with</th></tr>\n";
-  for (const Claim& claim : claims) {
-    const ClaimResult result = check_claim(claim, progress);
-    html += fmt::format("<tr><td>{}</td><td>{}: {}</td><td>{}</td><td>{}: {}</td></tr>\n", xml_escaped(claim.text),
-                        xml_escaped(metric_words(claim.metric)), value_words(claim.metric, result.value),
-                        xml_escaped(demand_words(claim.metric, claim.bound)), xml_escaped(claim.mutation.words),
-                        value_words(claim.mutation.metric, result.mutated_value));
+  std::string html = "<table><tr><th>Claim</th><th>Measured</th></tr>\n";
+  for (const Claim& claim : claims)
+    html += fmt::format("<tr><td>{}</td><td>{}: {}</td></tr>\n", xml_escaped(claim.text),
+                        xml_escaped(metric_words(claim.metric)),
+                        value_words(claim.metric, check_claim(claim, progress).value));
+  return html + "</table>\n";
+}
+
+/// The minutes of each step, and from the start. The whole is as long as the lesson says.
+std::string time_plan(const Lesson& lesson) {
+  std::string html = "<table><tr><th>Step</th><th>Minutes</th><th>Together</th></tr>\n";
+  Lesson so_far;
+  so_far.blocks = lesson.blocks;
+  int before = 0;
+  for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+    so_far.steps.push_back(lesson.steps[i]);
+    const int minutes = length_of(so_far).minutes();
+    html += fmt::format("<tr><td>{}. {}</td><td>{}</td><td>{}</td></tr>\n", i + 1, xml_escaped(lesson.steps[i].title),
+                        minutes - std::exchange(before, minutes), minutes);
   }
   return html + "</table>\n";
 }
 
-/// The function with the wrong line, as students have to read it.
-std::string function_html(const LessonQuestion& question) {
-  std::string html = "<pre>";
-  for (const ListingLine& line : function_with_bug(find_bug(question)))
-    html += xml_escaped(fmt::format("{:>4}  {}\n", line.number, line.text));
-  return html + "</pre>\n";
+/// The terms of the glossary that the lesson names, with their meaning.
+std::string terms_html(const Lesson& lesson) {
+  std::set<std::string> named;
+  for (const LessonStep& step : lesson.steps)
+    for (const auto* blocks : {&step.blocks, &step.hints})
+      for (const TextBlock& block : *blocks)
+        for (const TextSpan& span : block.spans)
+          if (span.link.kind == LinkKind::term) named.insert(span.link.target);
+  std::string html;
+  for (const std::string& name : named)
+    if (const GlossaryEntry* entry = find_entry(name))
+      html += fmt::format("<p><b>{}</b></p>\n{}", xml_escaped(entry->term), block_html({entry->definition}));
+  return html.empty() ? "" : box("Words", html);
 }
 
-/// With room for the answer.
-std::string question_html(const LessonQuestion& question, int number, const Document& document) {
-  std::string html =
-      fmt::format("<div class=\"question\"><p><b>Question {}.</b> {}</p>\n", number, xml_escaped(question.text));
-  constexpr std::string_view line = "<span class=\"write\">&#160;</span>";
-  switch (question.kind) {
-  case AskKind::choice:
-    html += "<ul>\n";
-    for (const AnswerChoice& choice : question.choices) html += fmt::format("<li>{}</li>\n", xml_escaped(choice.text));
-    html += "</ul>\n";
-    break;
-  case AskKind::number:
-    html += fmt::format("<p>{} {}</p>\n", line, xml_escaped(question.unit));
-    break;
-  case AskKind::click:
-    html += "<p>Mark the place in a picture.</p>\n";
-    break;
-  case AskKind::bug:
-    html += function_html(question) + fmt::format("<p>Line {}</p>\n", line);
-    break;
-  case AskKind::pixel:
-    html += fmt::format("<p>Pixel ({}, {}): {}</p>\n", document.pixel.x, document.pixel.y, line);
-    break;
+std::string head_html(const Lesson& lesson, HandoutFor reader) {
+  std::string html = fmt::format(
+      "<h1>{}</h1>\n<p class=\"source\">{}; about {} minutes; in the program: <code>pixelscope "
+      "--lesson {}</code></p>\n",
+      xml_escaped(lesson.title), xml_escaped(lesson.source), length_of(lesson).minutes(), xml_escaped(lesson.name));
+  if (reader == HandoutFor::student) html += "<p class=\"person\"><span>Name</span><span>Date</span></p>\n";
+  html += block_html(on_paper(lesson.blocks));
+  if (!lesson.goals.empty()) html += box("Afterwards you can", list_html(lesson.goals));
+  if (reader == HandoutFor::teacher) {
+    if (!lesson.notes.empty()) html += box("For the teacher", block_html(lesson.notes));
+    html += time_plan(lesson);
   }
-  return html + "</div>\n";
+  return html;
 }
 
-/// For teachers alone.
-std::string notes_html(const std::vector<TextBlock>& notes, HandoutFor reader) {
-  if (notes.empty() || reader != HandoutFor::teacher) return {};
-  return fmt::format("<div class=\"notes\"><p><b>For the teacher</b></p>\n{}</div>\n", block_html(notes));
-}
-
-std::string answer_of(const LessonQuestion& question, Progress& progress) {
-  if (question.kind == AskKind::choice) {
-    const MeasuredAnswer right = measure_answer(question, progress);
-    for (std::size_t i = 0; i < question.choices.size(); ++i)
-      if (const Judgement judgement = judge(question, {.choice = static_cast<int>(i)}, right); judgement.points > 0)
-        return question.choices[i].text + " " + judgement.sentence;
-    return "No choice is right.";
-  }
-  if (question.kind == AskKind::bug) {
-    const BugLine line = find_bug(question).line;
-    return fmt::format("Line {}. A: {} B: {} {}", line.number, line.wrong, line.right, question.why);
-  }
-  std::string found;
-  const std::string objection = check_question(question, progress, found);
-  return objection.empty() ? fmt::format("{}{}{}", found, question.why.empty() ? "" : ". ", question.why) : objection;
+/// For the teacher: the program, and the computer that has measured.
+std::string facts() {
+  std::string text;
+  for (const auto& [key, value] : provenance_facts(provenance_of(Settings{})))
+    if (!value.empty()) text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", xml_escaped(key), xml_escaped(value));
+  return text;
 }
 
 }  // namespace
 
 std::string handout_html(const Lesson& lesson, HandoutFor reader, Progress& progress) {
-  std::string body = fmt::format("<h1>{}</h1>\n<p class=\"source\">{}</p>\n{}", xml_escaped(lesson.title),
-                                 xml_escaped(lesson.source), block_html(lesson.blocks));
-  body += notes_html(lesson.notes, reader);
-  std::string answers;
+  const bool teacher = reader == HandoutFor::teacher;
+  std::string body = head_html(lesson, reader), answers;
   int questions = 0;
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     const LessonStep& step = lesson.steps[i];
     const Document document = lesson_document(lesson, static_cast<int>(i), Document{});
-    const bool covers = reader == HandoutFor::student && step.question;
-    body += fmt::format("<section id=\"step-{}\"><h2>{}. {}</h2>\n{}", i + 1, i + 1, xml_escaped(step.title),
-                        block_html(step.blocks));
-    body += notes_html(step.notes, reader);
-    body += pictures(document, covers ? step.question->hidden : std::array{false, false}, progress);
+    body += fmt::format("<section id=\"step-{0}\"><h2><span class=\"place\">{2}/{0}</span>{0}. {1}</h2>\n{3}", i + 1,
+                        xml_escaped(step.title), xml_escaped(lesson.name), block_html(on_paper(step.blocks)));
+    if (teacher && !step.notes.empty()) body += box("For the teacher", block_html(step.notes));
+    body +=
+        pictures_html(document, !teacher && step.question ? step.question->hidden : std::array{false, false}, progress);
     if (step.question) {
       body += question_html(*step.question, ++questions, document);
-      if (reader == HandoutFor::teacher)
-        answers += fmt::format("<p><b>{}.</b> {}</p>\n", questions, xml_escaped(answer_of(*step.question, progress)));
+      if (teacher) answers += answer_html(*step.question, questions, progress);
     }
-    if (!step.hints.empty()) body += fmt::format("<div class=\"look\">{}</div>\n", block_html(step.hints));
-    body += claims(step.claims, progress);
-    body += fmt::format("<p class=\"link\">In the program: <code>pixelscope --permalink '{}'</code></p></section>\n",
-                        xml_escaped(permalink(document)));
+    if (const auto hints = hints_on_paper(step.hints); !hints.empty())
+      body += fmt::format("<div class=\"look\">{}</div>\n", block_html(hints));
+    if (teacher) body += claims_html(step.claims, progress);
+    body += "</section>\n";
   }
-  if (!answers.empty()) body += "<section><h2>Answers</h2>\n" + answers + "</section>\n";
-  return page(lesson.title, body);
-}
-
-std::string handout_index(const std::vector<Lesson>& lessons) {
-  std::string body = "<h1>Lessons</h1>\n<ul>\n";
-  for (const Lesson& lesson : lessons)
-    body += fmt::format("<li><a href=\"{}.html\">{}</a> <span class=\"source\">{}; {} steps, {} minutes</span></li>\n",
-                        xml_escaped(lesson.name), xml_escaped(lesson.title), xml_escaped(lesson.source),
-                        lesson.steps.size(), length_of(lesson).minutes());
-  return page("Lessons", body + "</ul>\n");
+  body += terms_html(lesson);
+  if (!answers.empty())
+    body += "<section><h2>Answers, and the wrong ones that are given most</h2>\n" + answers + "</section>\n";
+  return handout_page(lesson.title, body, teacher ? facts() : "");
 }
 
 }  // namespace ps

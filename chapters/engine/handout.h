@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "engine/course.h"
 #include "engine/lesson.h"
 
 /// Lessons as pages to print or to read without the program.
@@ -10,17 +11,19 @@
 namespace ps {
 
 enum class HandoutFor {
-  student,  ///< with the questions, and without the pictures that answer them
-  teacher   ///< with the notes for teachers, and the measured answers at the end
+  student,  ///< with room for answers, and without pictures and measurements that give them
+  teacher   ///< with the notes for teachers, a plan of the time, what was measured, and the answers, right and wrong
 };
 
-/// The lesson as one HTML file that needs nothing else: texts, the pictures of A and B of each step, claims with what
-/// was measured just now, questions, and a permalink for each step. It is well-formed XML as well. Throws InputError
-/// where a step cannot be shown, and Cancelled.
+/// The lesson as one HTML file for A4 that needs nothing else: goals, texts without keys and clicks, the pictures of A
+/// and B of each step, questions, and the terms that it uses. It is well-formed XML as well. Throws InputError where a
+/// step cannot be shown, and Cancelled.
 std::string handout_html(const Lesson& lesson, HandoutFor reader, Progress& progress);
 
-/// A page that leads to the handouts of these lessons, which lie beside it as NAME.html.
-std::string handout_index(const std::vector<Lesson>& lessons);
+/// A page that leads to the handouts of these lessons, which lie beside it as NAME.html: the parts of the course, with
+/// the lessons that each builds on, its minutes and its goals, and plans for classes of 45 and 90 minutes. Lessons that
+/// are not in the course come last.
+std::string handout_index(const Course& course, const std::vector<Lesson>& lessons);
 
 /// A text of a lesson as HTML; formulas and links are written here alone.
 std::string block_html(const std::vector<TextBlock>& blocks);

@@ -31,6 +31,7 @@ struct Lesson {
   std::string source;             ///< "CGFS chapter 4"
   std::string renderer;           ///< key of one that not every program has, if the lesson needs it
   std::vector<TextBlock> blocks;  ///< what introduces it
+  std::vector<TextBlock> goals;   ///< each completes the sentence "You can now ..."
   std::vector<TextBlock> notes;   ///< for the teacher alone, about the lesson as a whole
   std::vector<LessonStep> steps;
 };

@@ -24,9 +24,9 @@ class LessonParser {
       if (lesson_.steps.empty() && text.starts_with(">"))
         throw InputError(place(), "a hint before the first step", "hints inside steps");
       text_ += line;
-    } else if (block_ == "notes" && text != "```") {
-      notes_ += line;
-      notes_ += '\n';
+    } else if ((block_ == "notes" || block_ == "goals") && text != "```") {
+      prose_ += line;
+      prose_ += '\n';
     } else {
       read_structure(text);
     }
@@ -66,9 +66,10 @@ class LessonParser {
     if (text.starts_with("```")) {
       block_ = without_blanks(text.substr(3));
       block_place_ = place();
-      if (block_ != "settings" && block_ != "claim" && block_ != "question" && block_ != "notes" && block_ != "task")
+      if (block_ != "settings" && block_ != "claim" && block_ != "question" && block_ != "notes" && block_ != "goals" &&
+          block_ != "task")
         throw InputError(place(), fmt::format("a block named '{}'", block_),
-                         "```settings, ```claim, ```question, ```task or ```notes");
+                         "```settings, ```goals, ```claim, ```question, ```task or ```notes");
     } else if (text.starts_with("## ")) {
       begin_step(std::string(without_blanks(text.substr(3))));
     } else if (text.starts_with("# ")) {
@@ -127,6 +128,8 @@ class LessonParser {
       lesson_.steps.back().write = read_task(lines_, lesson_.name, block_place_);
     } else if (block_ == "notes") {
       end_notes();
+    } else if (block_ == "goals") {
+      end_goals();
     } else {
       LessonState& state = in_step ? lesson_.steps.back().state : common_;
       for (const BlockLine& line : lines_)
@@ -141,9 +144,20 @@ class LessonParser {
     lines_.clear();
   }
 
+  void end_goals() {
+    if (!lesson_.steps.empty()) throw InputError(block_place_, "goals in a step", "goals before the first step");
+    if (!lesson_.goals.empty()) throw InputError(block_place_, "a second block of goals", "one");
+    std::string_view prose = prose_;
+    for (int line = block_place_.line + 1; !prose.empty(); ++line)
+      for (TextBlock& goal : read_markdown(take_line(prose), file_, line).blocks)
+        lesson_.goals.push_back(std::move(goal));
+    prose_.clear();
+    if (lesson_.goals.empty()) throw InputError(block_place_, "goals without words", "a line for each");
+  }
+
   void end_notes() {
-    StepText text = read_markdown(notes_, file_, block_place_.line + 1);
-    notes_.clear();
+    StepText text = read_markdown(prose_, file_, block_place_.line + 1);
+    prose_.clear();
     if (text.blocks.empty() || !text.hints.empty())
       throw InputError(block_place_, text.blocks.empty() ? "notes without words" : "a hint in notes", "paragraphs");
     std::vector<TextBlock>& notes = lesson_.steps.empty() ? lesson_.notes : lesson_.steps.back().notes;
@@ -161,7 +175,7 @@ class LessonParser {
   int text_line_ = 1;  // where that begins
   std::string block_;  // name of the open block; empty outside
   SourcePlace block_place_;
-  std::string notes_;  // of the open block of notes, as they are in the file
+  std::string prose_;  // of the open block of notes or goals, as it is in the file
   std::vector<BlockLine> lines_;
 };
 

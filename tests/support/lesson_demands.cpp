@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
+#include <string>
+
 #include "engine/lesson_length.h"
 #include "engine/lesson_place.h"
 #include "engine/state.h"
@@ -26,6 +29,12 @@ void expect_complete_step(const LessonStep& step) {
 void expect_complete(const Lesson& lesson) {
   SCOPED_TRACE(lesson.name);
   EXPECT_GE(lesson.steps.size(), 5u);
+  EXPECT_EQ(lesson.goals.size(), 3u);
+  for (const TextBlock& goal : lesson.goals) {
+    const std::string words = plain_text(goal);
+    EXPECT_TRUE(std::islower(static_cast<unsigned char>(words.front()))) << words;
+    EXPECT_NE(words.back(), '.') << words;
+  }
   std::size_t claims = 0;
   for (const LessonStep& step : lesson.steps) {
     SCOPED_TRACE(step.title);

@@ -1,0 +1,44 @@
+#include "options/difference_words.h"
+
+#include <cctype>
+
+#include <fmt/format.h>
+
+namespace ps {
+namespace {
+
+/// "Shadow epsilon" inside a sentence; "CSG tree" and the like stay.
+std::string within_sentence(std::string_view label) {
+  std::string text(label);
+  const bool abbreviation = text.size() > 1 && !std::islower(static_cast<unsigned char>(text[1]));
+  if (!text.empty() && !abbreviation) text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+}  // namespace
+
+std::string setting_words(const Option& option, const Settings& settings) {
+  const std::string label = within_sentence(option.label);
+  if (option.key == "listing-bug") return settings.listing_bug == 0 ? "without the bug" : "with the bug";
+  switch (option.kind) {
+  case OptionKind::boolean:
+    return fmt::format("{} {}", option.get(settings) != 0 ? "with" : "without", label);
+  case OptionKind::choice:
+    if (option.key == "renderer") return std::string(chosen(option, settings).label);
+    return fmt::format("{}: {}", label, chosen(option, settings).label);
+  case OptionKind::integer:
+  case OptionKind::real:
+    return fmt::format("{} {}", label, option_text(option, settings));
+  }
+  return {};
+}
+
+std::string difference_words(const Settings& of, const Settings& other) {
+  std::string words;
+  for (const Option& option : option_table())
+    if (option.get(of) != option.get(other))
+      words += fmt::format("{}{}", words.empty() ? "" : ", ", setting_words(option, of));
+  return words;
+}
+
+}  // namespace ps
