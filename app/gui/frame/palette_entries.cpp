@@ -30,12 +30,6 @@ std::vector<PaletteEntry> palette_entries(Session& session, LessonColumn& column
     if (lesson.fault.empty())
       entries.push_back({"lesson/" + lesson.name, lesson.title, "lesson",
                          [&session, &lesson] { go_to_step(session, lesson.name, 0); }});
-  for (const Technique& technique : technique_table())
-    for (const TechniqueChoice& choice : technique.choices)
-      entries.push_back({fmt::format("technique/{}/{}", technique.key, choice.key),
-                         technique_command(technique, choice), "compare",
-                         [&session, &technique, &choice] { compare_technique(session, technique, choice); },
-                         fmt::format("compare, {}, {}", technique.label, technique.keywords)});
   for (const Option& option : option_table())
     entries.push_back(
         {fmt::format("option/{}", option.key), fmt::format("{}: {}", option.group, option.label), "option",
@@ -48,6 +42,12 @@ std::vector<PaletteEntry> palette_entries(Session& session, LessonColumn& column
          fmt::format("{}, {}", option.key, option.keywords)});
   for (PaletteEntry& entry : value_entries(session)) entries.push_back(std::move(entry));
   for (PaletteEntry& entry : kept_entries(session, kept)) entries.push_back(std::move(entry));
+  for (const Technique& technique : technique_table())
+    for (const TechniqueChoice& choice : technique.choices)
+      entries.push_back({fmt::format("technique/{}/{}", technique.key, choice.key),
+                         technique_command(technique, choice), "compare",
+                         [&session, &technique, &choice] { compare_technique(session, technique, choice); },
+                         fmt::format("compare, {}, {}", technique.label, technique.keywords)});
   for (const BuiltinScene& scene : builtin_scenes())
     entries.push_back({"scene/" + scene.name, scene.title, "scene", [&session, &scene] { session.open(scene.name); },
                        scene.name + ", " + scene.keywords});
