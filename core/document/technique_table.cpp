@@ -10,7 +10,7 @@ namespace ps {
 namespace {
 
 /// The same settings, whichever way the picture is made.
-TechniqueSettings both_ways(std::vector<std::string_view> settings) { return {settings, settings}; }
+TechniqueSettings both_ways(const std::vector<std::string_view>& settings) { return {settings, settings}; }
 
 TechniqueSettings by_rays(std::vector<std::string_view> settings) { return {std::move(settings), {}}; }
 

@@ -47,7 +47,7 @@ ChartHost chart_host(Session& session, ChartTab& chart, const PanelHost& host) {
 
 /// A row with what all studies have in common. `tab` draws one of `studies` at a time.
 template <class Tab>
-Panel study_panel(Session& session, Tab& tab, std::vector<StudyFrame*> studies, Panel row) {
+Panel study_panel(Session& session, Tab& tab, const std::vector<StudyFrame*>& studies, Panel row) {
   row.use = PanelUse::study;
   row.height = PanelHeight::tall;
   row.draw = [&session, &tab, name = row.name](const Context& context) {

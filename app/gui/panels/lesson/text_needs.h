@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "gui/panels/lesson/text_layout.h"
+#include "gui/session/session.h"
 
 namespace ps::gui {
 

@@ -4,6 +4,7 @@
 
 #include "gui/panels/options/object_panel.h"
 #include "gui/session/session.h"
+#include "options/option.h"
 
 namespace ps::gui {
 

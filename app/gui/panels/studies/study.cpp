@@ -34,7 +34,7 @@ std::string count_of(const StudyStatus& status, std::string_view unit) {
 
 /// "rendering the reference, 12 %", or how much is done.
 std::string progress_text(const BackgroundWork& work, const StudyWords& words) {
-  const std::string counted = status_text(work.status(), words.unit);
+  std::string counted = status_text(work.status(), words.unit);
   if (!counted.empty()) return counted;
   return fmt::format("{}, {:.0f} %", words.preparing, 100 * work.fraction_of_render());
 }
