@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <mutex>
+#include <optional>
 #include <variant>
 
 #include <glm/matrix.hpp>
@@ -151,11 +154,34 @@ class FloatSearch {
   FloatLimits limits_;
 };
 
+/// Limits that were found, with all that they follow from.
+struct KeptLimits {
+  std::uint64_t geometry = 0, lights = 0;  // revisions
+  Camera camera;
+  int canvas_height = 0;
+  FloatLimits limits;
+};
+
 }  // namespace
 
 FloatLimits float_limits(const Scene& scene) {
   if (scene.geometry->objects.empty()) return {};
-  return FloatSearch(scene).run();
+  // They are asked for with each picture, story and edit, and a million objects take 20 ms to search.
+  static std::mutex mutex;
+  static std::array<std::optional<KeptLimits>, 8> kept;
+  static std::size_t oldest = 0;
+  {
+    const std::lock_guard lock(mutex);
+    for (const auto& each : kept)
+      if (each && each->geometry == scene.geometry.revision() && each->lights == scene.lights.revision() &&
+          each->camera == scene.camera && each->canvas_height == scene.canvas_height)
+        return each->limits;
+  }
+  const FloatLimits limits = FloatSearch(scene).run();
+  const std::lock_guard lock(mutex);
+  kept[oldest++ % kept.size()] =
+      KeptLimits{scene.geometry.revision(), scene.lights.revision(), scene.camera, scene.canvas_height, limits};
+  return limits;
 }
 
 }  // namespace ps

@@ -84,8 +84,10 @@ void Microscope::draw_enlarged(int pixels, Prepared& prepared, Progress& progres
   RenderRequest request;
   request.channels = Channel::ids;
   Scene wide_scene = scene_;
-  wide_scene.canvas_items = Part<std::vector<CanvasItem>>(
-      enlarged_canvas(*scene_.canvas_items, view_, Vec2d(pixel_) - micro_margin, 1 + 2 * micro_margin, pixels));
+  // A new part would have all that is kept for the scene made anew.
+  if (!scene_.canvas_items->empty())
+    wide_scene.canvas_items = Part<std::vector<CanvasItem>>(
+        enlarged_canvas(*scene_.canvas_items, view_, Vec2d(pixel_) - micro_margin, 1 + 2 * micro_margin, pixels));
   const Frame frame = render(wide_scene, wide.view, wide.settings, request, prepared, progress);
   enlarged_ = display_frame(frame, settings_);
   enlarged_ids_ = frame.ids;
