@@ -11,6 +11,7 @@
 #include "engine/handout_pictures.h"
 #include "engine/handout_questions.h"
 #include "engine/lesson_length.h"
+#include "engine/measured_pictures.h"
 #include "engine/metric_words.h"
 #include "engine/paper_text.h"
 #include "image/svg.h"
@@ -23,20 +24,15 @@ std::string box(const std::string& title, const std::string& body) {
   return fmt::format("<div class=\"box\"><p><b>{}</b></p>\n{}</div>\n", title, body);
 }
 
-std::string list_html(const std::vector<TextBlock>& lines) {
-  std::vector<TextBlock> bullets = lines;
-  for (TextBlock& bullet : bullets) bullet.kind = BlockKind::bullet;
-  return block_html(bullets);
-}
-
 /// The sentences that the lesson measures, with what was measured just now.
-std::string claims_html(const std::vector<Claim>& claims, Progress& progress) {
+std::string claims_html(const std::vector<Claim>& claims, MeasuredPictures& pictures, Progress& progress) {
   if (claims.empty()) return {};
   std::string html = "<table><tr><th>Claim</th><th>Measured</th></tr>\n";
-  for (const Claim& claim : claims)
+  for (const Claim& claim : claims) {
+    const double value = measure(claim.metric, claim_document(claim, pictures.last()), progress, &pictures);
     html += fmt::format("<tr><td>{}</td><td>{}: {}</td></tr>\n", xml_escaped(claim.text),
-                        xml_escaped(metric_words(claim.metric)),
-                        value_words(claim.metric, check_claim(claim, progress).value));
+                        xml_escaped(metric_words(claim.metric)), value_words(claim.metric, value));
+  }
   return html + "</table>\n";
 }
 
@@ -98,6 +94,7 @@ std::string facts() {
 std::string handout_html(const Lesson& lesson, HandoutFor reader, Progress& progress) {
   const bool teacher = reader == HandoutFor::teacher;
   std::string body = head_html(lesson, reader), answers;
+  MeasuredPictures pictures;  // a step's claims mostly measure the same ones
   int questions = 0;
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     const LessonStep& step = lesson.steps[i];
@@ -113,7 +110,7 @@ std::string handout_html(const Lesson& lesson, HandoutFor reader, Progress& prog
     }
     if (const auto hints = hints_on_paper(step.hints); !hints.empty())
       body += fmt::format("<div class=\"look\">{}</div>\n", block_html(hints));
-    if (teacher) body += claims_html(step.claims, progress);
+    if (teacher) body += claims_html(step.claims, pictures, progress);
     body += "</section>\n";
   }
   body += terms_html(lesson);

@@ -27,5 +27,7 @@ std::string handout_index(const Course& course, const std::vector<Lesson>& lesso
 
 /// A text of a lesson as HTML; formulas and links are written here alone.
 std::string block_html(const std::vector<TextBlock>& blocks);
+/// The same as a list with a line for each block; empty for none.
+std::string list_html(std::vector<TextBlock> lines);
 
 }  // namespace ps

@@ -21,13 +21,9 @@ const Lesson* find(const std::vector<Lesson>& lessons, std::string_view name) {
 }
 
 std::string row(const Lesson& lesson, const std::string& after) {
-  std::string goals;
-  for (TextBlock goal : lesson.goals) {
-    goal.kind = BlockKind::bullet;
-    goals += block_html({goal});
-  }
   return fmt::format("<tr><td>{}<br/><span class=\"source\">{}</span></td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                     title_link(lesson), xml_escaped(lesson.source), length_of(lesson).minutes(), after, goals);
+                     title_link(lesson), xml_escaped(lesson.source), length_of(lesson).minutes(), after,
+                     list_html(lesson.goals));
 }
 
 std::string table(const std::string& title, const std::string& rows) {

@@ -11,7 +11,7 @@ constexpr std::string_view style_sheet =
     "body{font:16px/1.5 Georgia,serif;max-width:46em;margin:2em auto;padding:0 1em;color:#111}"
     "h1,h2,h3,figcaption,table,.question,.box{font-family:Helvetica,Arial,sans-serif}"
     "h1{margin:0 0 .2em}h2{margin:1.2em 0 .3em}h1,h2,h3{line-height:1.2}"
-    ".source,figcaption,footer{color:#555;font-size:85%}.place{color:#555}.place{float:right;font-weight:normal;font-"
+    ".source,figcaption,footer{color:#555;font-size:85%}.place{color:#555;float:right;font-weight:normal;font-"
     "size:55%;margin-top:.4em}"
     ".person{display:flex;gap:2em;margin:0 0 1em}.person span{flex:1;border-bottom:1px solid #111}"
     ".person span+span{flex:.4}"

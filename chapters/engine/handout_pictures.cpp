@@ -29,17 +29,17 @@ Image<Rgb8> picture_of(const Document& document, Side side, Prepared& prepared, 
   return channel_picture(frame, state.show, state.settings).levels;
 }
 
-/// "A: shading: flat": what the other picture does not have, or the renderer where the settings are equal.
+/// "A shading: flat": settings that the other picture does not have, or the renderer where all are equal.
 std::string caption(const Document& document, Side side) {
   const SideState& state = side_of(document, side);
   std::string words;
   const auto add = [&](const std::string& more) { words += fmt::format("{}{}", words.empty() ? "" : ", ", more); };
   if (state.show != ShownChannel::colour) add(std::string(shown_channel(state.show).label));
+  const std::string difference = difference_words(state.settings, side_of(document, other_side(side)).settings);
   if (side == Side::b && !document.picture_b.empty())
     add(document.picture_b);
   else
-    add(difference_words(state.settings, side_of(document, other_side(side)).settings));
-  if (words.empty() || words.ends_with(", ")) words += renderer_label(state.settings.renderer);
+    add(difference.empty() ? std::string(renderer_label(state.settings.renderer)) : difference);
   if (const auto& slow = state.slow_motion) add(fmt::format("after {} {}", slow->at, slow_unit(slow->unit).many));
   return fmt::format("<b>{}</b> {}", side == Side::a ? "A" : "B", xml_escaped(words));
 }

@@ -77,4 +77,9 @@ std::string block_html(const std::vector<TextBlock>& blocks) {
   return html;
 }
 
+std::string list_html(std::vector<TextBlock> lines) {
+  for (TextBlock& line : lines) line.kind = BlockKind::bullet;
+  return block_html(lines);
+}
+
 }  // namespace ps

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "options/option.h"
+
 namespace ps {
 namespace {
 
@@ -15,9 +17,8 @@ std::string within_sentence(std::string_view label) {
   return text;
 }
 
-}  // namespace
-
-std::string setting_words(const Option& option, const Settings& settings) {
+/// One setting: "shading: flat", "without highlights", "reflection depth 3".
+std::string part_of_caption(const Option& option, const Settings& settings) {
   const std::string label = within_sentence(option.label);
   if (option.key == "listing-bug") return settings.listing_bug == 0 ? "without the bug" : "with the bug";
   switch (option.kind) {
@@ -33,11 +34,13 @@ std::string setting_words(const Option& option, const Settings& settings) {
   return {};
 }
 
+}  // namespace
+
 std::string difference_words(const Settings& of, const Settings& other) {
   std::string words;
   for (const Option& option : option_table())
     if (option.get(of) != option.get(other))
-      words += fmt::format("{}{}", words.empty() ? "" : ", ", setting_words(option, of));
+      words += fmt::format("{}{}", words.empty() ? "" : ", ", part_of_caption(option, of));
   return words;
 }
 

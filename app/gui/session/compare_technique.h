@@ -11,7 +11,7 @@ void compare_technique(Session& session, const Technique& technique, const Techn
 /// The way back from all comparisons in a row, as one step.
 void leave_technique(Session& session);
 
-/// "Shadows: with and without", "Shading: Gouraud beside Phong".
+/// "Shadows: with and without", "Shading: Gouraud in B".
 std::string technique_command(const Technique& technique, const TechniqueChoice& choice);
 
 }  // namespace ps::gui
