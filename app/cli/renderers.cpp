@@ -11,6 +11,7 @@
 #include "cli/output_file.h"
 #include "cli/scene_arguments.h"
 #include "document/permalink.h"
+#include "engine/screen_names.h"
 #include "frame/left_out.h"
 #include "image/file.h"
 #include "number_option.h"

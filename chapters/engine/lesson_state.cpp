@@ -8,6 +8,7 @@
 #include "document/permalink.h"
 #include "engine/block.h"
 #include "engine/course.h"
+#include "engine/screen_names.h"
 #include "engine/words.h"
 #include "options/option.h"
 #include "options/scene_settings.h"

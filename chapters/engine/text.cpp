@@ -8,6 +8,7 @@
 #include "base/spelling.h"
 #include "engine/glossary.h"
 #include "engine/lesson_place.h"
+#include "engine/screen_names.h"
 #include "engine/words.h"
 #include "options/option.h"
 

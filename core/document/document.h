@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "document/layout_names.h"
 #include "document/pin.h"
 #include "document/scene_edits.h"
 #include "document/story_view.h"
@@ -57,15 +56,15 @@ enum class ScreenMode { lesson, explore, study, presenter };
 
 /// How the window is divided. Sizes are shares of the window, 0..1; 0 = what suits the window's size.
 struct Layout {
-  double left = 0, right = 0, bottom = 0;     ///< bottom: 0 = folded
-  bool panels = true;                         ///< false: only the pictures
-  std::string right_tab{story_names::one};    ///< one of story_names::all
-  std::string bottom_tab{tool_names::space};  ///< one of tool_names::all
-  bool pixel_open = false;                    ///< exploring: the panel with the pixel's story
-  std::string stage;       ///< below the pictures of a lesson, one of tool_names::all; empty = the pixel's story
+  double left = 0, right = 0, bottom = 0;  ///< bottom: 0 = folded
+  bool panels = true;                      ///< false: only the pictures
+  std::string right_tab = "story";   ///< the part of the pixel's stories that is shown, by the window's name for it
+  std::string bottom_tab = "space";  ///< the tool below the pictures, the same
+  bool pixel_open = false;           ///< exploring: the panel with the pixel's story
+  std::string stage;                 ///< the tool below the pictures of a lesson; empty = the pixel's story
   std::string sweep;       ///< what the chart varies, as sweep_text() writes it; empty = the first named sweep
   std::string experiment;  ///< key of the one that the stability tab shows; empty = the first
-  std::string filled;      ///< the region that has the window for itself, one of region_names; "" = none
+  std::string filled;      ///< the region that has the window for itself, by its name; "" = none
   bool operator==(const Layout&) const = default;
 };
 

@@ -329,9 +329,8 @@ bool App::Parts::unsafe_busy() const {
 }
 
 bool App::Parts::busy() const {
-  return session.busy() || session.has_news() || my.pictures.meter->busy() || my.pictures.meter->has_news() ||
-         unsafe_busy() || (my.scenes.open && my.scenes.thumbnails.busy()) ||
-         (my.picker.open && my.picker.thumbnails.busy()) ||
+  return session.busy() || my.pictures.meter->busy() || my.pictures.meter->has_news() || unsafe_busy() ||
+         (my.scenes.open && my.scenes.thumbnails.busy()) || (my.picker.open && my.picker.thumbnails.busy()) ||
          std::any_of(panels.begin(), panels.end(), [](const Panel& panel) { return panel.busy && panel.busy(); });
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/screen_names.h"
 #include "gui/frame/panel_table.h"
 #include "gui/frame/show_panel.h"
 #include "gui/widgets/draw.h"

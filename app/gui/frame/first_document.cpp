@@ -52,7 +52,7 @@ std::optional<Document> restored_document(Autosave& autosave, Session& session, 
   for (const LeftBehind& left : autosave.take_left_behind()) {
     std::string problem = left.problem;
     if (problem.empty() && left.ended_at_once) {
-      session.note_recent(left.file.string());
+      session.loader().note_recent(left.file.string());
       words.push_back({Message::Kind::warning,
                        "Pixelscope ended right after it had restored a screen, which is therefore left out; Scene, "
                        "Recent offers it: " +
@@ -60,7 +60,7 @@ std::optional<Document> restored_document(Autosave& autosave, Session& session, 
       continue;
     }
     if (problem.empty() && document) {
-      session.note_recent(left.file.string());
+      session.loader().note_recent(left.file.string());
       others += (others.empty() ? "" : ", ") + left.file.string();
       continue;
     }

@@ -36,7 +36,7 @@ bool unless_asked(Session& session, PredictState& predict, const std::function<b
 
 /// Measurements for a lesson wait for the pictures' own renders, and for studies, which may measure times.
 bool lesson_measurements_wait(const Session& session, const PanelStates& my) {
-  return session.rendering() || my.chart.measuring() || my.needs.measuring() || my.timings.measuring();
+  return session.work().rendering() || my.chart.measuring() || my.needs.measuring() || my.timings.measuring();
 }
 
 // --- left ---

@@ -21,8 +21,8 @@ void MenuBar::scene_menu() {
   if (!begin_menu("menu/scene", "Scene")) return;
   menu_action(actions_, "open");
   menu_action(actions_, "scenes");
-  if (!session_.recent().empty() && begin_menu("menu/recent", "Recent")) {
-    for (const auto& name : std::vector<std::string>(session_.recent())) {
+  if (!session_.loader().recent().empty() && begin_menu("menu/recent", "Recent")) {
+    for (const auto& name : std::vector<std::string>(session_.loader().recent())) {
       if (menu_item("recent/" + name, short_path(name))) session_.open(name);
       tooltip(name);
     }

@@ -2,6 +2,8 @@
 #include <string>
 #include <string_view>
 
+#include "engine/screen_names.h"
+#include "gui/base/region_names.h"
 #include "gui/panels/lesson/lesson_panel.h"
 #include "gui/panels/panel.h"
 #include "gui/session/session.h"

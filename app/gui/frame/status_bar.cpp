@@ -38,10 +38,10 @@ MessageKind kind_of(Message::Kind kind) {
 }
 
 void progress(Session& session, float width) {
-  if (session.loading()) {
-    const std::filesystem::path path = session.loading_name();
+  if (session.loader().loading()) {
+    const std::filesystem::path path = session.loader().name();
     const std::string name = path.has_extension() ? path.filename() : path;  // scenes of the program have none
-    if (progress_bar("progress", "loading " + name, -1, width)) session.cancel_loading();
+    if (progress_bar("progress", "loading " + name, -1, width)) session.loader().cancel();
     return;
   }
   const bool a = rendering(session, Side::a), b = rendering(session, Side::b);
@@ -65,7 +65,7 @@ constexpr float most_for_messages = 0.35f;  // of the window's height; more of t
 bool passes(const Message& message) { return message.kind == Message::Kind::information; }
 
 std::string newest_news(const Session& session) {
-  const auto& messages = session.messages();
+  const auto& messages = session.messages().all();
   const auto newest = std::find_if(messages.rbegin(), messages.rend(), passes);
   return newest == messages.rend() ? std::string() : newest->text;
 }
@@ -155,7 +155,7 @@ std::string hover_text(Session& session, const PicturesState& pictures) {
 void status_bar(Session& session, const PicturesState& pictures, StatusBarState& state, const StatusHint& hint) {
   const NameScope scope("status");
   const double now = ImGui::GetTime();
-  const bool working = session.loading() || rendering(session, Side::a) || rendering(session, Side::b);
+  const bool working = session.loader().loading() || rendering(session, Side::a) || rendering(session, Side::b);
   if (!working)
     state.busy_since = -1;
   else if (state.busy_since < 0)
@@ -195,8 +195,8 @@ void status_bar(Session& session, const PicturesState& pictures, StatusBarState&
 }
 
 void message_bars(Session& session, StatusBarState& state, float left, float right, float bottom) {
-  if (session.expire_messages(ImGui::GetTime())) redraw_after(1);
-  const auto& messages = session.messages();
+  if (session.messages().expire(ImGui::GetTime())) redraw_after(1);
+  const auto& messages = session.messages().all();
   const float before = std::exchange(state.bars_height, 0.f);
   if (std::all_of(messages.begin(), messages.end(), passes)) {
     if (before > 0) redraw_after(0);
@@ -213,7 +213,7 @@ void message_bars(Session& session, StatusBarState& state, float left, float rig
   for (std::size_t i = 0; i < messages.size(); ++i) {
     if (passes(messages[i])) continue;
     if (!message_bar(fmt::format("message/{}", i), kind_of(messages[i].kind), messages[i].text)) continue;
-    session.dismiss(i);
+    session.messages().dismiss(i);
     break;
   }
   state.bars_height = ImGui::GetWindowSize().y;

@@ -44,7 +44,7 @@ void Session::open_picture_b(const std::filesystem::path& path) {
     return say(Message::Kind::error, error.what());
   }
   const Vec2i size{picture_b_->levels.width(), picture_b_->levels.height()};
-  if (document_.picture_b == path.string() && size == Vec2i{view().width, view().height}) return changed();  // anew
+  if (document().picture_b == path.string() && size == Vec2i{view().width, view().height}) return changed();  // anew
   edit("compare with " + path.filename().string(), [&](Document& document) {
     const Vec2i old{view().width, view().height};
     document.picture_b = path.string();
@@ -65,7 +65,7 @@ void Session::close_picture_b() {
 }
 
 void Session::follow_picture_b() {
-  const std::string& path = document_.picture_b;
+  const std::string& path = document().picture_b;
   if (path == (picture_b_ ? picture_b_->path : std::string())) return;
   const bool rendered = !picture_b_;
   picture_b_.reset();
@@ -74,15 +74,14 @@ void Session::follow_picture_b() {
   } catch (const InputError& error) {
     return give_up_picture_b(error.what());
   }
-  if (!rendered && !picture_b_)
-    renderers_[1] = std::make_unique<RenderWorker>(prepared_, host_.wake);  // all of its picture is new to the window
+  if (!rendered && !picture_b_) work_.begin_anew(Side::b);
 }
 
 void Session::give_up_picture_b(const std::string& why) {
   say(Message::Kind::warning, why + " (B is rendered instead)");
-  document_.picture_b.clear();
+  change_silently().picture_b.clear();
   picture_b_.reset();
-  renderers_[1] = std::make_unique<RenderWorker>(prepared_, host_.wake);
+  work_.begin_anew(Side::b);
 }
 
 }  // namespace ps::gui

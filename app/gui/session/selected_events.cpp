@@ -1,5 +1,5 @@
-// The selected events, the picked pixel's views and the kept vertex while what they belong to changes.
-#include "gui/session/session.h"
+#include "gui/session/selected_events.h"
+
 #include "inspect/parting/align_stories.h"
 
 namespace ps::gui {
@@ -15,45 +15,45 @@ int same_event(const PixelStory& before, const PixelStory& after, int selected, 
 
 }  // namespace
 
-int Session::selected_event(Side side) const {
+int SelectedEvents::selected(const Document& document, Side side) const {
   const std::size_t index = index_of(side);
-  return awaited_[index] || !followed_[index] ? -1 : event_of(document_, side);
+  return awaited_[index] || !followed_[index] ? -1 : event_of(document, side);
 }
 
-void Session::follow_story(Side side) {
+bool SelectedEvents::follow(const NewestStory& newest) {
+  const auto& [document, side, inspected, now, still_coming] = newest;
   auto& before = followed_[index_of(side)];
   bool& awaited = awaited_[index_of(side)];
-  const auto now = story(side);
-  int& event = event_of(document_, side);
+  int& event = event_of(document, side);
   if (awaited) {
-    if (!now || inspectors_[index_of(side)]->busy()) return;
+    if (!now || still_coming) return false;
     awaited = false;
     if (event >= static_cast<int>(now->events.size())) event = -1;
   } else {
-    if (now == before) return;
+    if (now == before) return false;
     const bool same_pixel = before && now && before->pixel == now->pixel;
-    event = same_pixel ? same_event(*before, *now, event, document_.scene) : -1;
-    if (side == inspected_side(*this)) document_.story.until_event = false;
+    event = same_pixel ? same_event(*before, *now, event, document.scene) : -1;
+    if (side == inspected) document.story.until_event = false;
   }
   before = now;
-  changed();
+  return true;
 }
 
-void Session::settle(const Document& before) {
-  const bool same_pixel = document_.pixel == before.pixel;
+void SelectedEvents::settle(const Document& before, Document& document) {
+  const bool same_pixel = document.pixel == before.pixel;
   for (const Side side : both_sides) {
     bool& awaited = awaited_[index_of(side)];
-    int& event = event_of(document_, side);
+    int& event = event_of(document, side);
     const bool selected_now = event != event_of(before, side);
     if (awaited && !same_pixel && !selected_now) event = -1;
     if (selected_now) awaited = false;
   }
-  StoryView& story = document_.story;
+  StoryView& story = document.story;
   if (!same_pixel) {
     const StoryView kept = for_another_pixel(story);
     if (story == before.story) story = kept;
   }
-  const bool same_models = document_.scene.geometry.revision() == before.scene.geometry.revision();
+  const bool same_models = document.scene.geometry.revision() == before.scene.geometry.revision();
   if (!same_models && story.vertex == before.story.vertex) story.vertex.reset();
 }
 

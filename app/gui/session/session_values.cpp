@@ -5,6 +5,7 @@
 #include "base/check.h"
 #include "document/number_list.h"
 #include "document/permalink.h"
+#include "gui/base/region_names.h"
 #include "options/option.h"
 #include "options/waking.h"
 #include "scene/edit.h"
@@ -135,8 +136,9 @@ void offer_history(Values& out, Session& session) {
             [&session] { return session.history() ? static_cast<int>(session.history()->entries().size()) : 0; });
   out.offer("history/step",
             [&session] { return session.history() ? static_cast<int>(session.history()->place()) + 1 : 0; });
-  out.offer("messages", [&session] { return static_cast<int>(session.messages().size()); });
-  out.offer("message", [&session] { return session.messages().empty() ? "" : session.messages().back().text; });
+  out.offer("messages", [&session] { return static_cast<int>(session.messages().all().size()); });
+  out.offer("message",
+            [&session] { return session.messages().all().empty() ? "" : session.messages().all().back().text; });
 }
 
 }  // namespace
@@ -149,7 +151,8 @@ void offer_session_values(Values& out, Session& session) {
   out.offer_below("started/", started_value);
   offer_history(out, session);
   out.offer("scene", [&session] { return session.document().scene_name; });
-  out.offer("loading", [&session] { return session.loading() ? session.loading_name() : std::string("none"); });
+  out.offer("loading",
+            [&session] { return session.loader().loading() ? session.loader().name() : std::string("none"); });
   out.offer("compare", [&session] { return compare_key(session.document().compare); });
   out.offer("pixel", [&session] {
     const auto picked = session.pixel();

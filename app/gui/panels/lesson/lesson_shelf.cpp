@@ -28,21 +28,20 @@ void LessonShelf::load(Session& session) {
   try {
     lesson_ = load_lesson(name_);
   } catch (const InputError& error) {
-    session.say({Message::Kind::error, error.what(), Message::About::lesson, name_});
+    session.messages().say({Message::Kind::error, error.what(), Message::About::lesson, name_});
   }
 }
 
 void LessonShelf::update(Session& session) {
   // A change while no lesson is open is taken when this one is open again.
   if (!watch_ || session.document().lesson != name_ || !watch_->take_changed()) return;
-  for (std::size_t i = session.messages().size(); i-- > 0;)
-    if (const Message& message = session.messages()[i];
-        message.about == Message::About::lesson && message.file == name_)
-      session.dismiss(i);  // it may have been mended
+  session.messages().remove([&](const Message& message) {  // it may have been mended
+    return message.about == Message::About::lesson && message.file == name_;
+  });
   try {
     lesson_ = load_lesson(name_);
   } catch (const InputError& error) {
-    return session.say({Message::Kind::error, error.what(), Message::About::lesson, name_});
+    return session.messages().say({Message::Kind::error, error.what(), Message::About::lesson, name_});
   }
   ++version_;
   go_to_step(session, name_, session.document().step);
@@ -54,7 +53,8 @@ void go_to_step(Session& session, const std::string& name, int step) {
     if (lesson.steps.empty()) return;
     const int last = static_cast<int>(lesson.steps.size()) - 1;
     const int target = std::clamp(step, 0, last);
-    if (is_own_lesson(lesson.name) && session.document().lesson != lesson.name) session.note_recent(lesson.name);
+    if (is_own_lesson(lesson.name) && session.document().lesson != lesson.name)
+      session.loader().note_recent(lesson.name);
     session.edit(fmt::format("{}, step {}", lesson.title, target + 1),
                  [&](Document& document) { document = lesson_document(lesson, target, document); });
   } catch (const InputError& error) {

@@ -13,7 +13,7 @@ std::optional<Vec2i> first_not_finite(const Image<Vec3f>& colour) {
 }
 
 void go_to_first_nan(Session& session) {
-  if (session.rendering())
+  if (session.work().rendering())
     return session.say(Message::Kind::information, "A picture is still being made: its pixels are not known yet.");
   const Side picked = session.document().picked;
   for (const Side side : {picked, other_side(picked)}) {

@@ -42,7 +42,7 @@ std::shared_ptr<const RenderResult> beside(Session& session, Side side) {
 
 /// The median of warm runs; until there is one, a single run where it cannot mislead.
 FooterItem time_item(Session& session, Side side, const RenderResult& result) {
-  if (const TimedPicture* timed = session.timed().find(result.request))
+  if (const TimedPicture* timed = session.work().timed().find(result.request))
     return {time_name, warm_time_text(timed->ms),
             fmt::format("Median and quartiles of {} warm runs, in turn with the other picture.", timed->runs),
             Voice::plain};

@@ -311,7 +311,7 @@ void prepare_story(const Session& session, RenderWorker& renderer, const Hover& 
   if (!result || renderer.status().state != RenderState::done || ImGui::IsAnyMouseDown()) return;
   if (result->request.settings != session.settings(hover.side)) return;
   if (renderer_row(result->request.settings.renderer).by_driver)
-    ahead.prepare(result->request, hover.pixel, session.shared_prepared());
+    ahead.prepare(result->request, hover.pixel, session.work().prepared());
 }
 
 }  // namespace

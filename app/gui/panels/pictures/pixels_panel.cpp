@@ -26,7 +26,7 @@ bool same_cost(const CostRequest& a, const CostRequest& b) {
   return a.scene.revision() == b.scene.revision() && a.view == b.view && a.settings == b.settings;
 }
 
-bool still(Session& session) { return !session.busy() && !session.has_news(); }
+bool still(Session& session) { return !session.busy(); }
 
 void swatch(const Rgb8& level) {
   const float size = ImGui::GetTextLineHeight();

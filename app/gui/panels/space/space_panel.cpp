@@ -292,7 +292,7 @@ bool same_vertex(const VertexChain* a, const std::optional<VertexChain>& b) {
 void update_tree(Session& session, SpacePanelState& state) {
   if (!state.whole_tree || !state.shown_story) return state.tree_worker.rest();
   if (state.tree) return;
-  const SpaceTreeRequest wanted{session.scene(), state.settings, state.shown_story, &session.prepared()};
+  const SpaceTreeRequest wanted{session.scene(), state.settings, state.shown_story, session.work().prepared().get()};
   state.tree_worker.request(wanted);
   state.tree_worker.take_news();
   const auto found = state.tree_worker.result();

@@ -91,7 +91,7 @@ void update_pin(Session& session, PinState& state) {
   for (const Side side : both_sides) {
     const std::size_t index = index_of(side);
     state.workers[index]->clear();
-    if (now.pin == pin && !session.inspector(side).busy()) state.pinned[index] = session.story(side);
+    if (now.pin == pin && !session.work().inspector(side).busy()) state.pinned[index] = session.story(side);
     if (state.pinned[index]) continue;
     PinnedScene then = pinned_scene(pin, document.base);
     state.workers[index]->request(

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "document/document_provenance.h"
+#include "engine/screen_names.h"
 #include "gui/panels/pictures/picture_text.h"
 #include "gui/panels/story/ledger_view.h"
 #include "gui/session/select_event.h"
@@ -204,27 +205,28 @@ void nothing_picked(Session& session) {
   ImGui::PopStyleColor();
 }
 
-/// The part of the stories that is shown, in the order of story_names::all.
+/// The part of the pixel's stories that is shown: that of the picked side, both, or the place where they part.
 enum class Shown { one, both, parting };
+constexpr std::array shown_names{story_names::one, std::string_view("both"), story_names::parting};
 
 /// A key that this version does not know shows one story.
 Shown shown_now(const Document& document) {
-  const auto found = std::find(story_names::all.begin(), story_names::all.end(), document.layout.right_tab);
-  return found == story_names::all.end() ? Shown::one : static_cast<Shown>(found - story_names::all.begin());
+  const auto found = std::find(shown_names.begin(), shown_names.end(), document.layout.right_tab);
+  return found == shown_names.end() ? Shown::one : static_cast<Shown>(found - shown_names.begin());
 }
 
 /// A, B, both or where they part. Answers what is shown.
 Shown choose_shown(Session& session) {
   static constexpr std::array tabs{
       Choice{"a", "A", "The pixel in picture A."}, Choice{"b", "B", "The pixel in picture B."},
-      Choice{story_names::both, "Both", "The stories of A and B together."},
+      Choice{"both", "Both", "The stories of A and B together."},
       Choice{story_names::parting, "Parting", "The first step at which the two stories differ, and why."}};
   const Shown before = shown_now(session.document());
   int tab = before == Shown::parting ? 3 : before == Shown::both ? 2 : session.document().picked == Side::a ? 0 : 1;
   if (!tab_row("side", tabs, tab)) return before;
   const Shown shown = tab == 3 ? Shown::parting : tab == 2 ? Shown::both : Shown::one;
   session.navigate([&](Document& document) {
-    document.layout.right_tab = story_names::all[static_cast<std::size_t>(shown)];
+    document.layout.right_tab = shown_names[static_cast<std::size_t>(shown)];
     if (shown == Shown::one) document.picked = tab == 0 ? Side::a : Side::b;
   });
   return shown;
@@ -263,7 +265,7 @@ void pixel_panel(Session& session, PixelPanelState& state, const std::function<v
       if (stories[0]) full_story(session, state, Side::a, *stories[0], copy);
       break;
     }
-    if (const auto message = session.inspector(side).message(); !message.empty())
+    if (const auto message = session.work().inspector(side).message(); !message.empty())
       ImGui::TextWrapped("%s", message.c_str());
     if (const auto& story = stories[index_of(side)]) full_story(session, state, side, *story, copy);
     break;

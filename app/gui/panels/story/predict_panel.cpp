@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "document/layout_names.h"
+#include "gui/base/region_names.h"
 #include "gui/panels/lesson/lesson_panel.h"
 #include "gui/widgets/draw.h"
 #include "inspect/guess_text.h"
@@ -221,7 +221,7 @@ void predict_panel(Session& session, PredictState& state) {
     break;
   }
   ImGui::Spacing();
-  const bool ready = story && story->pixel == *pixel && !session.inspector(side).busy();
+  const bool ready = story && story->pixel == *pixel && !session.work().inspector(side).busy();
   const auto senseless = ready ? not_askable(state.question, *story) : std::nullopt;
   const bool from_list = state.question == Question::winner || state.question == Question::triangle;
   const bool open = from_list && !state.chosen;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/screen_names.h"
 #include "gui/widgets/draw.h"
 #include "record/value_text.h"
 #include "render/renderer_table.h"

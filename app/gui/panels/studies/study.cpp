@@ -101,8 +101,8 @@ void StudyFrame::offer(Values& out) const {
 }
 
 void StudyFrame::update(Session& session) {
-  work_.set_held(session.rendering());
-  if (estimate_) estimate_->set_held(session.rendering());
+  work_.set_held(session.work().rendering());
+  if (estimate_) estimate_->set_held(session.work().rendering());
   if (!seen_.lately()) drop_estimate();
   take_up(session);
 }

@@ -233,7 +233,7 @@ void TimingsTab::take_up(Session& session) {
 void TimingsTab::took(Session& session) {
   if (!found) return;
   for (std::size_t side = 0; side < 2; ++side)
-    session.timed().add({found->requests[side], found->timing.time_ms[side], found->timing.rounds()});
+    session.work().timed().add({found->requests[side], found->timing.time_ms[side], found->timing.rounds()});
 }
 
 void TimingsTab::draw_result(Session& session) {
