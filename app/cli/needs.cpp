@@ -3,8 +3,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/check.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
+#include "cli/needs_model.h"
 #include "cli/scene_arguments.h"
 #include "number_option.h"
 #include "options/scene_settings.h"
@@ -19,7 +21,8 @@ struct NeedsArguments {
   SceneArguments scene;
   double tolerance = NeedsRequest{}.tolerance;
   int repeats = NeedsRequest{}.repeats;
-  bool json = false;
+  bool json = false, model = false;
+  std::string views, save;
 };
 
 std::string changes(const Settings& from, const Settings& to) {
@@ -95,7 +98,11 @@ void print_text(const Document& document, const Needs& needs) {
 }
 
 int run_needs(const NeedsArguments& arguments) {
+  if (!arguments.model && !(arguments.views.empty() && arguments.save.empty()))
+    throw InputError("--views and --save: they need --model");
   const Document document = load_document(arguments.scene);
+  if (arguments.model)
+    return run_model_needs(document, {arguments.tolerance, arguments.views, arguments.save, arguments.json});
   NeedsRequest request;
   request.scene = document.scene;
   request.view = view_of(document);
@@ -115,7 +122,8 @@ int run_needs(const NeedsArguments& arguments) {
 }  // namespace
 
 void add_needs_command(CLI::App& app, Action& chosen) {
-  CLI::App* command = app.add_subcommand("needs", "find the features that a scene needs, and its cheapest settings");
+  CLI::App* command =
+      app.add_subcommand("needs", "find what a scene needs: features, cheapest settings, and what of the model can go");
   const auto arguments = std::make_shared<NeedsArguments>();
   add_scene_arguments(*command, arguments->scene);
   command
@@ -123,6 +131,15 @@ void add_needs_command(CLI::App& app, Action& chosen) {
       ->check(number_from(0, 1));
   command->add_option("--repeats", arguments->repeats, "number of timed runs of each variant")
       ->check(whole_number_from(1, 1000));
+  command->add_flag("--model", arguments->model,
+                    "what of the model can go: objects, triangles, texels, lights, bounces, bits");
+  command
+      ->add_option("--views", arguments->views,
+                   "with --model: views that the reduced scene must hold for, N of them around what is seen, or a file "
+                   "with a camera on each line; default: the scene's own")
+      ->type_name("orbit:N|FILE");
+  command->add_option("--save", arguments->save, "with --model: write the reduced scene, read it again and check it")
+      ->type_name("FILE.scene");
   command->add_flag("--json", arguments->json, "as JSON");
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_needs(*arguments); }; });
 }
