@@ -21,6 +21,7 @@
 #include "study/chart_style.h"
 #include "study/counted_work.h"
 #include "study/missing_points.h"
+#include "study/model/model_sweep.h"
 #include "study/renderer_sweep.h"
 
 namespace ps::cli {
@@ -35,6 +36,33 @@ struct ChartArguments {
   bool linear = false, as_used = false;
 };
 
+/// Throws InputError for a sweep none of whose options can act. Of those that are asked for by one name, some may be
+/// idle.
+void refuse_idle(const std::vector<std::string>& sweeps, std::span<const SweepAxis> axes, const Settings& base,
+                 const SceneTraits& traits) {
+  for (const std::string& sweep : sweeps) {
+    const std::vector<SweepAxis> own = parse_sweep(sweep);
+    std::optional<std::string> reason;
+    const bool acts = std::any_of(own.begin(), own.end(), [&](const SweepAxis& axis) {
+      const auto idle = idle_axis(axis, axes, base, traits);
+      if (idle && !reason) reason = idle;
+      return !idle;
+    });
+    if (!acts && reason) throw InputError(fmt::format("--sweep {}: {}", sweep, *reason));
+  }
+}
+
+/// From the full to the reduced model, as far as `needs --model` reduces it.
+void sweep_model(ChartRequest& request, const Settings& scene_start) {
+  StudyControl control;
+  forward_interrupts(control.progress());
+  ModelRequest model;
+  model.scene = request.scene;
+  model.views = {request.view};
+  model.base = request.base;
+  request.points = model_sweep(find_model_needs(model, control), request.base, scene_start);
+}
+
 ChartRequest make_request(const ChartArguments& arguments) {
   ChartRequest request;
   request.shard = parse_shard(arguments.shard);
@@ -46,16 +74,26 @@ ChartRequest make_request(const ChartArguments& arguments) {
   request.across = parse_chart_across(arguments.across);
   request.repeats = arguments.repeats;
   request.folder = arguments.output;
+  const bool model =
+      std::find(arguments.sweeps.begin(), arguments.sweeps.end(), model_sweep_key) != arguments.sweeps.end();
+  if (model && arguments.sweeps.size() > 1)
+    throw InputError(fmt::format("--sweep {}: the model is swept alone", model_sweep_key));
   std::vector<SweepAxis> axes;
-  for (const std::string& sweep : arguments.sweeps)
-    for (SweepAxis& axis : parse_sweep(sweep)) axes.push_back(std::move(axis));
+  if (!model)
+    for (const std::string& sweep : arguments.sweeps)
+      for (SweepAxis& axis : parse_sweep(sweep)) axes.push_back(std::move(axis));
   const Document document = load_document(arguments.scene);
-  if (axes.empty() && !document.layout.sweep.empty()) axes = parse_sweep_text(document.layout.sweep);
+  if (axes.empty() && !model && !document.layout.sweep.empty()) axes = parse_sweep_text(document.layout.sweep);
   request.scene = document.scene;
   request.scene.name = document.scene_name;
   request.view = view_of(document);
   request.base = document.a.settings;
+  if (model) {
+    sweep_model(request, settings_for(document.base));
+    return request;
+  }
   const SceneTraits traits = scene_traits(request.scene);
+  refuse_idle(arguments.sweeps, axes, request.base, traits);
   for (const std::string& sentence : idle_axes(axes, request.base, traits)) fmt::print(stderr, "{}\n", sentence);
   request.absent = absent_renderers(axes);
   request.points = sweep_points(axes, request.base, settings_for(document.base), traits);
@@ -163,6 +201,7 @@ void add_chart_command(CLI::App& app, Action& chosen) {
   command->add_option("FOLDER", arguments->folders, "with 'merge' instead of SCENE: folders of shards to merge");
   std::string sweeps;
   for (const NamedSweep& sweep : named_sweeps()) sweeps += fmt::format(" {}", sweep.key);
+  sweeps += fmt::format(" {}, the model from full to reduced", model_sweep_key);
   command
       ->add_option("--sweep", arguments->sweeps,
                    "an option with its values (none: all, or a selection); several options make their product; "
@@ -171,7 +210,7 @@ void add_chart_command(CLI::App& app, Action& chosen) {
       ->type_name("KEY[=V1,V2..]")
       ->allow_extra_args(false);
   command->add_option("--metric", arguments->metric, "mae rmse psnr max ssim or flip");
-  command->add_option("--across", arguments->across, "the horizontal axis: time, or counted work");
+  command->add_option("--across", arguments->across, "the horizontal axis: time, counted work, or memory");
   command->add_flag("--as-used", arguments->as_used,
                     "time each point as the window renders it; default: all run on the same code, SIMD or scalar");
   command->add_flag("--linear", arguments->linear, "compare unit floats instead of display levels");

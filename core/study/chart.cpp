@@ -15,6 +15,7 @@
 #include "study/chart_front.h"
 #include "study/chart_log.h"
 #include "study/counted_work.h"
+#include "study/model/reduce.h"
 #include "study/pareto.h"
 
 namespace ps {
@@ -47,7 +48,10 @@ std::string fingerprint_of(const ChartRequest& request, const Image<Rgb8>& refer
   for (const Vec3d& v : {camera.position, camera.right, camera.up, camera.forward})
     all.add(fmt::format("{},{},{};", v.x, v.y, v.z));
   all.add(fmt::format("{},{},{};", camera.viewport_width, camera.viewport_height, camera.projection_plane_d));
-  for (const SweepPoint& point : request.points) all.add(point.settings + "\n");
+  for (const SweepPoint& point : request.points) {
+    all.add(point.settings + "\n");
+    if (point.scene) all.add(point.label + "\n");
+  }
   return all.text();
 }
 
@@ -125,7 +129,12 @@ class Runner {
     RenderRequest how;
     how.priority = request_.priority;
     how.driver_memory = driver_memory;
-    return render(request_.scene, request_.view, drawn_with_[i], how, prepared, control_.progress());
+    return render(scene_of(i), request_.view, drawn_with_[i], how, prepared, control_.progress());
+  }
+
+  const Scene& scene_of(std::size_t i) const {
+    const auto& own = chart_.points[i].what.scene;
+    return own ? *own : request_.scene;
   }
 
   void run_once(std::size_t i) {
@@ -177,7 +186,10 @@ class Runner {
     const Frame frame = picture_of(i, prepared);
     MeasuredPicture picture{display_frame(frame, point.what.value), frame.colour};
     point.comparison = compare_pictures(reference_.picture, picture, request_.error);
-    point.memory_mb = 1e-6 * static_cast<double>(prepared.bytes() + frame_bytes(frame));
+    const bool model_varies = std::any_of(request_.points.begin(), request_.points.end(),
+                                          [](const SweepPoint& p) { return p.scene != nullptr; });
+    const std::size_t model = model_varies ? model::model_bytes(scene_of(i)) : 0;
+    point.memory_mb = 1e-6 * static_cast<double>(prepared.bytes() + frame_bytes(frame) + model);
     point.counters = counters_of(i, frame);
     point.work = counted_work(point.counters);
     point.picture = std::move(picture.levels);
@@ -191,7 +203,7 @@ class Runner {
     RenderRequest how;
     how.priority = request_.priority;
     Prepared prepared;
-    return render(request_.scene, request_.view, counted, how, prepared, control_.progress()).counters;
+    return render(scene_of(i), request_.view, counted, how, prepared, control_.progress()).counters;
   }
 
   void forget_if_large(std::size_t i) {
@@ -245,14 +257,16 @@ std::string_view chart_across_key(ChartAcross across) {
     return "time";
   case ChartAcross::work:
     return "work";
+  case ChartAcross::memory:
+    return "memory";
   }
   return "";
 }
 
 ChartAcross parse_chart_across(std::string_view key) {
-  for (const ChartAcross across : {ChartAcross::time, ChartAcross::work})
+  for (const ChartAcross across : {ChartAcross::time, ChartAcross::work, ChartAcross::memory})
     if (chart_across_key(across) == key) return across;
-  throw InputError(fmt::format("across: found '{}', expected time or work", key));
+  throw InputError(fmt::format("across: found '{}', expected time, work or memory", key));
 }
 
 Shard parse_shard(std::string_view text) {
@@ -287,8 +301,9 @@ void summarise(Chart& chart, ErrorMetric metric) {
       point.cost = {nowhere, nowhere, nowhere};
       continue;
     }
-    const auto work = static_cast<double>(point.work.value_or(0));
-    point.cost = chart.across == ChartAcross::time ? point.time_ms : Quartiles{work, work, work};
+    const double counted =
+        chart.across == ChartAcross::work ? static_cast<double>(point.work.value_or(0)) : point.memory_mb;
+    point.cost = chart.across == ChartAcross::time ? point.time_ms : Quartiles{counted, counted, counted};
     if (!point.ranked()) continue;
     tradeoffs.push_back({point.cost.median, sign * point.error});
     measured.push_back(&point);

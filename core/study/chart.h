@@ -20,8 +20,9 @@ namespace ps {
 
 /// What a chart shows along its horizontal axis.
 enum class ChartAcross {
-  time,  ///< milliseconds of one picture, median and quartiles
-  work,  ///< counted_work(): the same on every machine
+  time,    ///< milliseconds of one picture, median and quartiles
+  work,    ///< counted_work(): the same on every machine
+  memory,  ///< ChartPoint::memory_mb
 };
 
 /// One point of the chart of time or work against error.
@@ -39,7 +40,7 @@ struct ChartPoint {
   std::optional<Quartiles> upload_ms;
   Quartiles cost;         ///< on the chart's horizontal axis: time_ms, or work without any spread; NaN: not counted
   double prepare_ms = 0;  ///< the first render, with building trees, mips and tessellations, minus the median time
-  double memory_mb = 0;   ///< Prepared and Frame, in 10^6 bytes
+  double memory_mb = 0;   ///< Prepared and Frame, in 10^6 bytes; where the model varies, with its own bytes
   Comparison comparison;
   bool compared = false;  ///< comparison, memory, counters and work are known
   double error = 0;       ///< the chosen metric; of the truth itself that of equal pictures
@@ -72,7 +73,7 @@ struct ChartIdentity {
   bool operator==(const ChartIdentity&) const = default;
 };
 
-/// "time" or "work".
+/// "time", "work" or "memory".
 std::string_view chart_across_key(ChartAcross across);
 /// Throws InputError.
 ChartAcross parse_chart_across(std::string_view key);

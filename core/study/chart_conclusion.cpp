@@ -92,7 +92,8 @@ class Writer {
     const Points first = those_without([&](auto& other, auto& point) { return cheaper(other, point); });
     if (first.size() > 1)
       return fmt::format("the {} is one of {}, which no point surely beats; {}.",
-                         time() ? "fastest" : "one with the least work", list(first, "and"), error_tie());
+                         time() ? "fastest" : fmt::format("one with the least {}", cost()), list(first, "and"),
+                         error_tie());
     const ChartPoint& slowest = *largest(points_, [](auto& point) { return point.cost.median; });
     claim_all(Kind::cheaper, *first.front());
     return fmt::format("{} {} {} {}; {}.", name(slowest), time() ? "takes" : "needs",
@@ -215,7 +216,7 @@ class Writer {
   }
 
   std::string cost_tie() const {
-    if (!time()) return "all need the same work";
+    if (!time()) return fmt::format("all need the same {}", cost());
     const bool few = std::any_of(points_.begin(), points_.end(), [](const ChartPoint* point) {
       return static_cast<int>(point->samples_ms.size()) < least_runs_for_quartiles;
     });
@@ -238,7 +239,7 @@ class Writer {
   }
 
   bool time() const { return chart_.across == ChartAcross::time; }
-  std::string_view cost() const { return time() ? "time" : "work"; }
+  std::string_view cost() const { return chart_across_key(chart_.across); }
   std::string quantity() const {
     return chart_.metric == ErrorMetric::psnr ? "PSNR" : std::string(error_metric(chart_.metric).label);
   }

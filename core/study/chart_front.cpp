@@ -19,7 +19,7 @@ bool times_known(const ChartPoint& point) {
 }
 
 bool equal_cost(const Chart& chart, const ChartPoint& a, const ChartPoint& b) {
-  return chart.across == ChartAcross::work && a.cost.median == b.cost.median;
+  return chart.across != ChartAcross::time && a.cost.median == b.cost.median;
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ ErrorRange error_range(ErrorMetric metric, double error, std::optional<double> n
 }
 
 bool surely_cheaper(const Chart& chart, const ChartPoint& a, const ChartPoint& b) {
-  if (chart.across == ChartAcross::work) return a.cost.median < b.cost.median;
+  if (chart.across != ChartAcross::time) return a.cost.median < b.cost.median;
   return times_known(a) && times_known(b) && a.cost.median < b.cost.median && !within_noise(a.cost, b.cost);
 }
 

@@ -22,8 +22,17 @@ ChartAxes chart_axes(const Chart& chart) {
   const ErrorMetricRow& row = error_metric(chart.metric);
   ChartAxes axes;
   axes.cost = fit_axis(costs, AxisScale::logarithmic);
-  axes.cost_title = chart.across == ChartAcross::time ? "time of one picture (ms)"
-                                                      : "work: rays, tests, fragments and reads, counted";
+  switch (chart.across) {
+  case ChartAcross::time:
+    axes.cost_title = "time of one picture (ms)";
+    break;
+  case ChartAcross::work:
+    axes.cost_title = "work: rays, tests, fragments and reads, counted";
+    break;
+  case ChartAcross::memory:
+    axes.cost_title = "memory of one picture (MB)";
+    break;
+  }
   if (chart.across == ChartAcross::time) axes.cost_spread = ", median and quartiles";
   axes.error = fit_axis(errors, row.logarithmic ? AxisScale::logarithmic : AxisScale::linear);
   axes.error_title = std::string(row.label);

@@ -56,9 +56,9 @@ std::vector<Standing> standings(std::span<const SweepPoint> points, const Refere
                                 const SceneTraits& traits) {
   std::vector<Standing> all;
   for (const SweepPoint& point : points)
-    all.push_back(shows_another_picture(point.value, plan, traits)   ? Standing::other_picture
-                  : has_the_settings_of_the_truth(point.value, plan) ? Standing::truth
-                                                                     : Standing::compared);
+    all.push_back(shows_another_picture(point.value, plan, traits)                   ? Standing::other_picture
+                  : !point.scene && has_the_settings_of_the_truth(point.value, plan) ? Standing::truth
+                                                                                     : Standing::compared);
   const auto has = [&](Standing standing) { return std::find(all.begin(), all.end(), standing) != all.end(); };
   if (!has(Standing::compared))
     std::replace(all.begin(), all.end(), Standing::truth,

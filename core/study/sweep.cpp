@@ -350,13 +350,18 @@ std::vector<SweepPoint> sweep_points(std::span<const SweepAxis> axes, const Sett
   return points;
 }
 
-std::vector<std::string> idle_axes(std::span<const SweepAxis> axes, const Settings& base, const SceneTraits& traits) {
+std::optional<std::string> idle_axis(const SweepAxis& axis, std::span<const SweepAxis> axes, const Settings& base,
+                                     const SceneTraits& traits) {
   const std::vector<Settings> all = combinations(axes, base);
+  if (acts_somewhere(axis, all, traits)) return {};
+  return fmt::format("{} changes nothing here: {}.", axis.option->label,
+                     inactive_reason(*axis.option, all.front(), traits)->text());
+}
+
+std::vector<std::string> idle_axes(std::span<const SweepAxis> axes, const Settings& base, const SceneTraits& traits) {
   std::vector<std::string> sentences;
   for (const SweepAxis& axis : axes)
-    if (!acts_somewhere(axis, all, traits))
-      sentences.push_back(fmt::format("{} changes nothing here: {}.", axis.option->label,
-                                      inactive_reason(*axis.option, all.front(), traits)->text()));
+    if (auto sentence = idle_axis(axis, axes, base, traits)) sentences.push_back(std::move(*sentence));
   return sentences;
 }
 

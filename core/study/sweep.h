@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -45,6 +46,7 @@ struct SweepPoint {
   std::string name;      ///< the same for people: "rasterizer, Gouraud", or "Samples per pixel: 16"
   std::string settings;  ///< the swept options and what else differs from the scene's settings: "K=V;K=V"
   Settings value;
+  std::shared_ptr<const Scene> scene{};  ///< in place of the chart's own, where the model varies; nullptr: that one
 };
 
 /// The product of all axes over `base`. With several axes, an option that cannot act in a combination ("only the
@@ -61,6 +63,9 @@ struct SweepNames {
 };
 SweepNames split_names(const std::vector<std::string>& names);
 
+/// Why one of the axes acts nowhere in the sweep, in a whole sentence; nullopt if it acts somewhere.
+std::optional<std::string> idle_axis(const SweepAxis& axis, std::span<const SweepAxis> axes, const Settings& base,
+                                     const SceneTraits& traits);
 /// Swept options that act nowhere in the sweep, each with its reason, in whole sentences.
 std::vector<std::string> idle_axes(std::span<const SweepAxis> axes, const Settings& base, const SceneTraits& traits);
 /// Why a named sweep changes nothing with these settings and this scene ("needs a texture"), or nullopt if it does:

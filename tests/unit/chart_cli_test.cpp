@@ -42,6 +42,42 @@ TEST(ChartCommand, ShardsAreMerged) {
   EXPECT_EQ(nlohmann::json::parse(ps::read_whole_file(out + "/points.json")).at("points").size(), 4u);
 }
 
+// What cannot act for the renderer of the picture is refused with the reason; beside the renderer itself it may act.
+TEST(ChartCommand, RefusesAnOptionThatCannotAct) {
+  const ScratchFolder scratch;
+  const std::vector<std::string> base{"chart", "cgfs/spheres", "--size", "8x6", "--repeats", "1", "--out"};
+  const auto refused = [&](const std::string& out, std::vector<std::string> more) {
+    more.insert(more.begin(), base.begin(), base.end());
+    more.insert(more.begin() + static_cast<std::ptrdiff_t>(base.size()), scratch.file(out));
+    const auto result = run_cli(more);
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), result.status == 2 ? 1 : 0) << result.err;
+    return result.status == 2 && result.err.find("changes nothing here: ") != std::string::npos;
+  };
+  EXPECT_TRUE(refused("1", {"--set", "renderer=rasterizer", "--sweep", "samples-per-pixel=1,4"}));
+  EXPECT_TRUE(
+      refused("2", {"--set", "renderer=rasterizer", "--sweep", "precision", "--sweep", "samples-per-pixel=1,4"}));
+  EXPECT_TRUE(refused("3", {"--sweep", "texture-filter"})) << "no texture";
+  EXPECT_FALSE(refused("4", {"--sweep", "samples-per-pixel=1,4"}));
+  EXPECT_FALSE(refused("5", {"--sweep", "renderer=ray-tracer,rasterizer", "--sweep", "samples-per-pixel=1,4"}));
+}
+
+TEST(ChartCommand, SweepsTheModelFromFullToReduced) {
+  const ScratchFolder scratch;
+  const std::string out = scratch.file("chart");
+  const auto result = run_cli({"chart", "lab/depth-complexity", "--size", "64x48", "--sweep", "needs", "--across",
+                               "memory", "--repeats", "1", "--out", out});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const auto json = nlohmann::json::parse(ps::read_whole_file(out + "/points.json"));
+  ASSERT_EQ(json.at("across"), "memory");
+  const auto& points = json.at("points");
+  ASSERT_GE(points.size(), 2u);
+  EXPECT_EQ(points.at(0).at("label"), "full");
+  EXPECT_LT(points.back().at("memory_mb"), points.at(0).at("memory_mb"));
+  EXPECT_LT(points.back().at("work"), points.at(0).at("work"));
+  EXPECT_EQ(run_cli({"chart", "cgfs/lines", "--sweep", "needs", "--out", scratch.file("none")}).status, 2)
+      << "its model has no part that could go";
+}
+
 TEST(ChartCommand, BadUsageEndsWithTwoAndOneLine) {
   const ScratchFolder scratch;
   const std::string out = scratch.file("chart");

@@ -1,0 +1,27 @@
+#include "study/model/model_sweep.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/check.h"
+#include "options/scene_settings.h"
+#include "study/model/model_words.h"
+
+namespace ps {
+
+std::vector<SweepPoint> model_sweep(const ModelNeeds& needs, const Settings& base, const Settings& scene_start) {
+  if (needs.savings.empty()) throw InputError(fmt::format("sweep {}: {}", model_sweep_key, model_sentence(needs)));
+  const auto settings_text = [&](const Settings& settings) {
+    return fmt::format("{}", fmt::join(settings_difference(scene_start, settings), ";"));
+  };
+  std::vector<SweepPoint> points{{"full", "Model: full", settings_text(base), base}};
+  std::string gone;
+  for (const ModelSaving& saving : needs.savings) {
+    gone += fmt::format("{}{}", gone.empty() ? "" : ", ", model_part_key(saving.part));
+    points.push_back({fmt::format("less {}", gone), fmt::format("Model: less {}", gone), settings_text(saving.settings),
+                      saving.settings, std::make_shared<const Scene>(saving.scene)});
+  }
+  return points;
+}
+
+}  // namespace ps
