@@ -60,7 +60,8 @@ struct Layout {
   bool panels = true;                      ///< false: only the pictures
   std::string right_tab = "story";   ///< the part of the pixel's stories that is shown, by the window's name for it
   std::string bottom_tab = "space";  ///< the tool below the pictures, the same
-  bool pixel_open = false;           ///< exploring: the panel with the pixel's story
+  bool story_open = true;            ///< exploring: the column with the pixel's story
+  bool options_open = false;         ///< exploring: the column with all options
   std::string stage;                 ///< the tool below the pictures of a lesson; empty = the pixel's story
   std::string sweep;       ///< what the chart varies, as sweep_text() writes it; empty = the first named sweep
   std::string experiment;  ///< key of the one that the stability tab shows; empty = the first

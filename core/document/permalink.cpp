@@ -55,6 +55,13 @@ constexpr std::array compare_modes{CompareMode::side_by_side, CompareMode::split
 
 constexpr std::array screen_modes{ScreenMode::lesson, ScreenMode::explore, ScreenMode::study, ScreenMode::presenter};
 
+/// Whether a part of the window is open, as its field says it.
+bool parse_open(std::string_view text, std::string_view what) {
+  if (text != "open" && text != "folded")
+    throw InputError(fmt::format("{}: found '{}', expected open or folded", what, text));
+  return text == "open";
+}
+
 Text show_text(ShownChannel show) {
   return show == ShownChannel{} ? Text{} : Text{std::string(shown_channel(show).key)};
 }
@@ -166,11 +173,10 @@ const std::vector<Field>& document_fields() {
        [](Document& d, std::string_view t) { d.layout.right_tab = t; }},
       {"bottom-tab", [](const Document& d) { return text_unless(d.layout.bottom_tab, Layout{}.bottom_tab); },
        [](Document& d, std::string_view t) { d.layout.bottom_tab = t; }},
-      {"pixel-panel", [](const Document& d) { return d.layout.pixel_open ? Text{"open"} : Text{}; },
-       [](Document& d, std::string_view t) {
-         if (t != "open") throw InputError(fmt::format("pixel-panel: found '{}', expected open", t));
-         d.layout.pixel_open = true;
-       }},
+      {"pixel-panel", [](const Document& d) { return d.layout.story_open ? Text{} : Text{"folded"}; },
+       [](Document& d, std::string_view t) { d.layout.story_open = parse_open(t, "pixel-panel"); }},
+      {"options", [](const Document& d) { return d.layout.options_open ? Text{"open"} : Text{}; },
+       [](Document& d, std::string_view t) { d.layout.options_open = parse_open(t, "options"); }},
       {"stage", [](const Document& d) { return text_unless(d.layout.stage, ""); },
        [](Document& d, std::string_view t) { d.layout.stage = t; }},
       {"sweep", [](const Document& d) { return text_unless(d.layout.sweep, ""); },

@@ -40,10 +40,8 @@ bool wake_all(const std::vector<std::string_view>& assignments, const SceneTrait
   return true;
 }
 
-}  // namespace
-
-std::optional<TechniquePair> technique_pair(const TechniqueChoice& choice, const Settings& now,
-                                            const SceneTraits& traits) {
+/// The pair, whether or not this computer has B's renderer: looking for a graphics driver takes its time.
+std::optional<TechniquePair> pair_of(const TechniqueChoice& choice, const Settings& now, const SceneTraits& traits) {
   TechniquePair pair{now, now};
   PictureWay way = picture_way(now.renderer);
   if (!knows(choice, way)) {
@@ -54,7 +52,15 @@ std::optional<TechniquePair> technique_pair(const TechniqueChoice& choice, const
   if (!wake_all(settings_of(choice.a, way), traits, pair.a)) return {};
   pair.b = pair.a;
   apply(settings_of(choice.b, way), pair.b);
-  if (inactive_value_reason(*find_option("renderer"), pair.b, traits)) return {};
+  return pair;
+}
+
+}  // namespace
+
+std::optional<TechniquePair> technique_pair(const TechniqueChoice& choice, const Settings& now,
+                                            const SceneTraits& traits) {
+  auto pair = pair_of(choice, now, traits);
+  if (pair && inactive_value_reason(*find_option("renderer"), pair->b, traits)) return {};
   return pair;
 }
 
@@ -63,10 +69,20 @@ std::optional<ShownTechnique> shown_technique(const Document& document, const Sc
   const auto techniques = technique_table();
   for (std::size_t i = 0; i < techniques.size(); ++i)
     for (std::size_t k = 0; k < techniques[i].choices.size(); ++k) {
-      const auto pair = technique_pair(techniques[i].choices[k], document.a.settings, traits);
+      const auto pair = pair_of(techniques[i].choices[k], document.a.settings, traits);
       if (pair && pair->a == document.a.settings && pair->b == document.b.settings) return ShownTechnique{i, k};
     }
   return {};
+}
+
+std::array<std::string_view, 2> technique_words(const Document& document, const ShownTechnique& shown) {
+  const Technique& technique = technique_table()[shown.technique];
+  const TechniqueChoice& choice = technique.choices[shown.choice];
+  const PictureWay way = picture_way(document.a.settings.renderer);
+  std::string_view with = technique.with;
+  for (const TechniqueChoice& other : technique.choices)  // A of one choice is B of another
+    if (settings_of(other.b, way) == settings_of(choice.a, way)) with = other.label;
+  return {with, choice.label};
 }
 
 Document with_technique(const Document& now, const Technique& technique, const TechniqueChoice& choice,
@@ -94,9 +110,11 @@ Document with_technique(const Document& now, const Technique& technique, const T
 }
 
 Document without_technique(const Document& now) {
-  if (now.before_technique) return *now.before_technique;
-  Document then = now;
-  then.b = then.a;
+  Document then = now.before_technique ? *now.before_technique : now;
+  if (!now.before_technique) then.b = then.a;
+  then.mode = now.mode;
+  then.layout = now.layout;
+  then.compare = now.compare;
   return then;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -27,6 +28,7 @@ struct TechniqueChoice {
 struct Technique {
   std::string_view key;                  ///< unique: "shadows"
   std::string_view label;                ///< "Shadows"
+  std::string_view with = {};            ///< A of a switch: "with shadows"; empty where B has a choice
   std::string_view help;                 ///< one sentence about the thing to look for
   std::string_view keywords;             ///< other words that people search for, separated by commas
   std::vector<TechniqueChoice> choices;  ///< one for a switch; more where B has a choice
@@ -57,12 +59,16 @@ struct ShownTechnique {
 /// The comparison that a document shows, however it came about; nullopt for any other pair of pictures.
 std::optional<ShownTechnique> shown_technique(const Document& document, const SceneTraits& traits);
 
+/// What A and B of a shown comparison are called: "with shadows", "without shadows"; "Phong", "Flat".
+std::array<std::string_view, 2> technique_words(const Document& document, const ShownTechnique& shown);
+
 /// The document that shows a comparison: the scene as it is, or the first of the technique's own scenes where this one
 /// cannot show it. It keeps the one before the first of several comparisons in a row. `load` reads a built-in scene.
 /// Throws InputError where no scene shows it on this computer, and what `load` throws.
 Document with_technique(const Document& now, const Technique& technique, const TechniqueChoice& choice,
                         const std::function<Scene(const std::string& name)>& load);
-/// The document before the first of the comparisons; where there is none, B becomes as A is.
+/// The document before the first of the comparisons, in the window as it is divided now; where there is none, B becomes
+/// as A is.
 Document without_technique(const Document& now);
 
 }  // namespace ps

@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "options/option.h"
-
 namespace ps {
 namespace {
 
@@ -17,8 +15,9 @@ std::string within_sentence(std::string_view label) {
   return text;
 }
 
-/// One setting: "shading: flat", "without highlights", "reflection depth 3".
-std::string part_of_caption(const Option& option, const Settings& settings) {
+}  // namespace
+
+std::string caption_words(const Option& option, const Settings& settings) {
   const std::string label = within_sentence(option.label);
   if (option.key == "listing-bug") return settings.listing_bug == 0 ? "without the bug" : "with the bug";
   switch (option.kind) {
@@ -34,13 +33,11 @@ std::string part_of_caption(const Option& option, const Settings& settings) {
   return {};
 }
 
-}  // namespace
-
 std::string difference_words(const Settings& of, const Settings& other) {
   std::string words;
   for (const Option& option : option_table())
     if (option.get(of) != option.get(other))
-      words += fmt::format("{}{}", words.empty() ? "" : ", ", part_of_caption(option, of));
+      words += fmt::format("{}{}", words.empty() ? "" : ", ", caption_words(option, of));
   return words;
 }
 

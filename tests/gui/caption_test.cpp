@@ -55,41 +55,10 @@ TEST(Caption, CountsWhatADriverWasGiven) {
   EXPECT_EQ(work_text(work[0]), "12 submitted triangles");
 }
 
-TEST(Caption, ASingleRunIsSaidToBeOne) {
-  EXPECT_EQ(single_run_text(268.4), "~270 ms (first)");
-  EXPECT_EQ(single_run_text(5.06), "~5.1 ms (first)");
-  EXPECT_EQ(single_run_text(23.5), "~24 ms (first)");
-  EXPECT_EQ(single_run_text(0.4236), "~0.42 ms (first)");
-  EXPECT_EQ(single_run_text(1310), "~1.3 s (first)");
-  EXPECT_EQ(single_run_text(42100), "~42 s (first)");
-}
-
 TEST(Caption, WarmRunsHaveTheirSpread) {
   EXPECT_EQ(warm_time_text({22.91, 23.46, 24.44}), "23.5 ms (22.9 to 24.4)");
   EXPECT_EQ(warm_time_text({1290, 1310, 1450}), "1.31 s (1.29 to 1.45)");
   EXPECT_EQ(warm_time_text({0.41, 0.42, 0.5}), "0.42 ms (0.41 to 0.50)");
-}
-
-// 5 ms of a run alone never stands beside 268 ms of one that ran cold together with the other picture.
-TEST(Caption, SingleRunsOfDifferentMomentsAreNotShownTogether) {
-  RenderResult first_a, first_b, again;
-  const std::chrono::steady_clock::time_point start{};
-  first_a.begun = start;
-  first_a.milliseconds = 200;
-  first_b.begun = start + 10ms;
-  first_b.milliseconds = 268;
-  EXPECT_TRUE(shows_single_run(first_a, &first_b)) << "they ran together";
-  EXPECT_TRUE(shows_single_run(first_b, &first_a));
-  RenderResult short_a, short_b;
-  short_a.begun = start;
-  short_a.milliseconds = 1;
-  short_b.begun = start + 20ms;
-  EXPECT_TRUE(shows_single_run(short_a, &short_b)) << "one change asked for both, one after the other";
-  again.begun = start + 10s;
-  again.milliseconds = 5;
-  EXPECT_TRUE(shows_single_run(again, &first_b));
-  EXPECT_FALSE(shows_single_run(first_b, &again)) << "the older one gives way";
-  EXPECT_TRUE(shows_single_run(first_b, nullptr)) << "alone";
 }
 
 TEST(Caption, OldCountsAreShownForSomeSeconds) {

@@ -10,7 +10,10 @@ namespace picture_text_test {
 namespace {
 
 using namespace ps;
-using ps::gui::title_text;
+
+std::string title_text(const Settings& settings, const SceneTraits& traits, const Settings* other = nullptr) {
+  return gui::picture_title_words(settings, traits, other).text();
+}
 
 Settings with(std::initializer_list<const char*> assignments) {
   Settings settings;
@@ -26,29 +29,29 @@ class Title : public testing::Test {
 TEST_F(Title, AloneNamesTheRendererFirst) {
   EXPECT_EQ(title_text(Settings{}, traits), "ray tracer, 3 reflections");
   EXPECT_EQ(title_text(with({"renderer=rasterizer", "shadows=stencil-depth-fail"}), traits),
-            "rasterizer, Phong, shadows = stencil-depth-fail");
+            "rasterizer, Phong, shadows: stencil, depth fail");
 }
 
 TEST_F(Title, OfTwoNamesFirstWhatDiffers) {
   const Settings a = with({"renderer=rasterizer", "shadows=stencil-depth-fail", "volume-caps=off"});
   const Settings b = with({"renderer=rasterizer", "shadows=stencil-depth-fail"});
-  EXPECT_EQ(title_text(a, traits, &b), "volume-caps = off · rasterizer, Phong, shadows = stencil-depth-fail");
-  EXPECT_EQ(title_text(b, traits, &a), "volume-caps = on · rasterizer, Phong, shadows = stencil-depth-fail")
+  EXPECT_EQ(title_text(a, traits, &b), "without volume caps · rasterizer, Phong, shadows: stencil, depth fail");
+  EXPECT_EQ(title_text(b, traits, &a), "with volume caps · rasterizer, Phong, shadows: stencil, depth fail")
       << "a default is named where the other picture has something else";
   EXPECT_EQ(title_text(a, traits, &a), title_text(a, traits));
 }
 
 TEST_F(Title, OfTwoRenderersNamesWhatIsSharedLast) {
   const Settings a = with({"exposure=2"}), b = with({"renderer=rasterizer", "exposure=2"});
-  EXPECT_EQ(title_text(a, traits, &b), "ray tracer, 3 reflections · exposure = 2");
-  EXPECT_EQ(title_text(b, traits, &a), "rasterizer, Phong · exposure = 2");
+  EXPECT_EQ(title_text(a, traits, &b), "ray tracer, 3 reflections · exposure 2");
+  EXPECT_EQ(title_text(b, traits, &a), "rasterizer, Phong · exposure 2");
 }
 
 TEST_F(Title, ShowsNumbersWithFourDigitsUnlessTheseAreTheSame) {
   const Settings third = with({"exposure=0.33333333333333331"}), other = with({"exposure=0.33333333333333337"});
-  EXPECT_EQ(title_text(third, traits), "ray tracer, 3 reflections, exposure = 0.3333");
+  EXPECT_EQ(title_text(third, traits), "ray tracer, 3 reflections, exposure 0.3333");
   const Settings near = with({"exposure=0.33334"});
-  EXPECT_EQ(title_text(near, traits, &third), "exposure = 0.33334 · ray tracer, 3 reflections");
+  EXPECT_EQ(title_text(near, traits, &third), "exposure 0.33334 · ray tracer, 3 reflections");
   ASSERT_NE(third, other);
   EXPECT_NE(title_text(third, traits, &other), title_text(other, traits, &third));
 }

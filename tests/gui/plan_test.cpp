@@ -112,7 +112,8 @@ TEST(Plan, AnAreaWithoutRoomHasAPlan) {
     PlanInput in;
     in.area = {{0, 0}, {1366, height}};
     in.headline = 30;
-    const ExplorePlan plan = plan_explore(in, {.left = 0.2, .right = 0.2, .bottom = 0.3, .pixel_open = false});
+    const ExplorePlan plan =
+        plan_explore(in, {.left = 0.2, .right = 0.2, .bottom = 0.3, .left_open = true, .story_open = false});
     EXPECT_EQ(plan.bottom, 30) << height;
   }
 }

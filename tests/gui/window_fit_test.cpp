@@ -108,22 +108,23 @@ TEST_P(WindowFit, NothingIsCutInAnyModeOrTool) {
   expect_all_fits(commands + "quit\n", places, GetParam(), "cgfs/shadows --size 60x60");
 }
 
-/// The menus, each with those that open beside it.
-struct OpenMenu {
-  std::string name;
-  std::vector<std::string> beside;
-};
-
-const std::vector<OpenMenu>& menus() {
-  static const std::vector<OpenMenu> all{{"scene", {"recent"}},
-                                         {"lesson", {}},
-                                         {"view", {"zoom", "pictures", "window", "type"}},
-                                         {"study", {}},
-                                         {"help", {}}};
+/// The menus, by the way to each.
+const std::vector<std::vector<std::string>>& menus() {
+  static const std::vector<std::vector<std::string>> all{{"menu/scene"},
+                                                         {"menu/scene", "menu/recent"},
+                                                         {"menu/lesson"},
+                                                         {"menu"},
+                                                         {"menu", "menu/view"},
+                                                         {"menu", "menu/view", "menu/zoom"},
+                                                         {"menu", "menu/view", "menu/pictures"},
+                                                         {"menu", "menu/view", "menu/window"},
+                                                         {"menu", "menu/view", "menu/type"},
+                                                         {"menu", "menu/study"},
+                                                         {"menu", "menu/help"}};
   return all;
 }
 
-// What a person sees at the very first start, which offers a lesson above the options.
+// What a person sees at the very first start, which offers a lesson below the story.
 TEST_P(WindowFit, TheOfferOfTheFirstStartIsSeenWhole) {
   const ps::test::ScratchFolder state;  // in which nothing is remembered yet
   const ps::test::Variable home("XDG_STATE_HOME", state.path().string());
@@ -136,15 +137,12 @@ TEST_P(WindowFit, MenusAreSeenWhole) {
   std::string commands = "wait idle\nopen cgfs/reflections\nwait idle\n";
   std::vector<FitPlace> places;
   const std::string look = settled + print_fit;
-  for (const OpenMenu& menu : menus()) {
-    commands += "click menu/" + menu.name + "\n" + look;
-    places.push_back({"menu: " + menu.name});
-    const std::string close = "key Esc\nkey Esc\n" + settled;
-    for (const std::string& beside : menu.beside) {  // one may lie over the menu
-      commands += close + "click menu/" + menu.name + "\n" + settled + "click menu/" + beside + "\n" + look;
-      places.push_back({"menu: " + menu.name + ", " + beside});
-    }
-    commands += close;
+  for (const std::vector<std::string>& way : menus()) {
+    for (const std::string& menu : way) commands += "click " + menu + "\n" + settled;
+    commands += look;
+    places.push_back({way.back()});
+    for (std::size_t i = 0; i <= way.size(); ++i) commands += "key Esc\n";
+    commands += settled;
   }
   expect_all_fits(commands + "quit\n", places, GetParam(), "cgfs/shadows --size 60x60");
 }

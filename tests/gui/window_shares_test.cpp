@@ -101,9 +101,9 @@ TEST_P(WindowShares, ATallToolLeavesThePicturesTheirShare) {
 
 TEST_P(WindowShares, ExploringKeepsThePicturesLarge) {
   const auto& [size, type] = GetParam();
-  // First without the pixel's story, then with it.
+  // First with a hint in the story's place, then with the story.
   const auto shares =
-      printed("wait idle\nexpect pixel-panel off\nprint window/pictures-share\nclick-pixel A 200,300\nwait idle\n"
+      printed("wait idle\nexpect pixel-panel on\nprint window/pictures-share\nclick-pixel A 200,300\nwait idle\n"
               "expect pixel-panel on\nexpect window/cut \"\"\nprint window/pictures-share\n",
               "gui-share-explore", size, "--scale " + type);
   ASSERT_EQ(shares.size(), 2u);

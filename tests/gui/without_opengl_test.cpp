@@ -30,7 +30,7 @@ Played play(const std::string& name) {
   const std::string commands = "wait idle\nscreenshot " + window +
                                "\nprint view/a/title\nclick-pixel A 100,100\nset shading=flat\nwait idle\nscreenshot " +
                                closer +
-                               "\nprint view/a/footer@middle\nclick menu/help\nclick about\nwait idle\n"
+                               "\nprint view/a/footer@middle\nclick menu\nclick menu/help\nclick about\nwait idle\n"
                                "print about/Graphics\nquit\n";
   const auto result = test::play(commands, folder, "1024x768", "cgfs/shading --size 200x200");
   EXPECT_EQ(result.status, 0) << result.errors;

@@ -106,7 +106,8 @@ Document any_document() {
   d.story = any_story_view();
   if (*rc::gen::arbitrary<bool>()) d.pin = any_pin();
   d.mode = *rc::gen::element(ScreenMode::lesson, ScreenMode::explore, ScreenMode::study, ScreenMode::presenter);
-  d.layout.pixel_open = *rc::gen::arbitrary<bool>();
+  d.layout.story_open = *rc::gen::arbitrary<bool>();
+  d.layout.options_open = *rc::gen::arbitrary<bool>();
   d.layout.stage = *rc::gen::element(std::string(), std::string("space"), std::string("chart"));
   d.layout.filled = *rc::gen::element(std::string(), std::string("left"), std::string("right"), std::string("bottom"));
   d.compare = static_cast<CompareMode>(*rc::gen::inRange(0, 5));

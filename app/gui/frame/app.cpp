@@ -19,6 +19,7 @@
 #include "gui/frame/follow_link.h"
 #include "gui/frame/menu_bar.h"
 #include "gui/frame/palette_entries.h"
+#include "gui/frame/region.h"
 #include "gui/frame/regions.h"
 #include "gui/frame/shots.h"
 #include "gui/frame/show_panel.h"
@@ -50,7 +51,8 @@ constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoBackground | ImGuiW
 constexpr double progress_interval = 0.1;  // seconds
 
 std::string layout_text(const Layout& layout) {
-  return fmt::format("{} {} {} {}", layout.left, layout.right, layout.bottom, layout.pixel_open ? "pixel" : "-");
+  return fmt::format("{} {} {} {} {}", layout.left, layout.right, layout.bottom, layout.story_open ? "story" : "folded",
+                     layout.options_open ? "options" : "folded");
 }
 
 void read_layout(const std::string& text, Layout& layout) {
@@ -63,8 +65,10 @@ void read_layout(const std::string& text, Layout& layout) {
     layout.right = right;
     layout.bottom = bottom;
   }
-  std::string pixel;
-  layout.pixel_open = words >> pixel && pixel == "pixel";
+  std::string story, options;
+  words >> story >> options;
+  layout.story_open = story != "folded";
+  layout.options_open = options == "options";
 }
 
 /// Whether no permalink says how the window is divided.
@@ -144,6 +148,7 @@ App::Parts::Parts(Shell& of, const AppOptions& options, Document document)
   const bool asked = !nothing_asked(options);
   auto left_behind = asked ? std::optional<Document>() : restored_document(autosave, session, words);
   offers_first_look = !asked && !left_behind && shell.remembers() && shell.remembered(first_look_key).empty();
+  if (offers_first_look) document.pixel = {-1, -1};  // the story's place says what a click does
   if (left_behind) {
     document = std::move(*left_behind);
   } else if (nothing_linked(options)) {
@@ -252,6 +257,7 @@ void App::Parts::offer_values() {
     for (const Action& action : shell.actions().all()) names += (names.empty() ? "" : " ") + action.name;
     return names;
   });
+  values().offer_below("area/", [](std::string_view name) { return noted_area(name); });
   values().offer("window/cut", [] { return fit_watch().cut(); });
   values().offer("window/overlap", [] { return fit_watch().overlap(); });
   values().offer("scenes/open", [this] { return my.scenes.open; });
@@ -264,6 +270,7 @@ void App::Parts::offer_values() {
 void App::Parts::show_options() {
   my.history.open = false;
   set_mode(session, ScreenMode::explore);
+  session.navigate([](Document& document) { document.layout.options_open = true; });
 }
 
 /// Esc leaves whatever is in front: an open menu, flying, a picture that is alone.

@@ -26,7 +26,7 @@ void show_story(Session& session, std::string_view tab) {
       document.layout.stage.clear();
     else
       document.mode = ScreenMode::explore;
-    document.layout.pixel_open = true;
+    document.layout.story_open = true;
     document.layout.panels = true;
     document.layout.right_tab = tab;
   });

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 
 #include "document/permalink.h"
 #include "gui/frame/show_panel.h"
@@ -32,8 +31,7 @@ void MenuBar::view_menu() {
   items({"side-by-side", "split", "difference", "only-a", "only-b"});
   below("menu/zoom", "Zoom", {"fit", "one-to-one", "zoom-in", "zoom-out"});
   below("menu/pictures", "In the pictures", {"grid", "handles", "gizmo", "channel-next", "channel-before"});
-  below("menu/window", "Modes and window",
-        {"mode-lesson", "mode-explore", "mode-study", "mode-presenter", "panels", "fullscreen"});
+  below("menu/window", "Window", {"panels", "fullscreen"});
   ImGui::Separator();
   items({"slow-motion", "predict"});
   menu_action(actions_, "reset-view", MenuLabel::name);
@@ -56,56 +54,61 @@ void MenuBar::study_menu() {
   end_menu();
 }
 
-/// The modes of the window, with the key of each.
-void MenuBar::mode_buttons() {
-  struct Row {
-    ScreenMode mode;
-    const char *label, *help;
-  };
-  static constexpr std::array rows{
-      Row{ScreenMode::lesson, "Lesson", "The lesson's text beside large pictures."},
-      Row{ScreenMode::explore, "Explore", "All options and tools around the pictures."},
-      Row{ScreenMode::study, "Study", "A chart or a table at full height beside small pictures."}};
-  const NameScope scope("mode");
-  ImGui::SetCursorPosX(px(8));
-  for (const Row& row : rows)
-    if (button_on_off(mode_key(row.mode), row.label, session_.document().mode == row.mode,
-                      {.tooltip = with_key(row.help, "mode-" + std::string(mode_key(row.mode))), .disabled = {}}))
-      set_mode(session_, row.mode);
-  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + px(8));
+/// Modes, and all that is not needed in the first minutes.
+void MenuBar::main_menu() {
+  if (!begin_menu("menu", "Menu")) return;
+  for (const char* name : {"mode-lesson", "mode-explore", "mode-study", "mode-presenter"})
+    menu_action(actions_, name, MenuLabel::name);
+  ImGui::Separator();
+  view_menu();
+  study_menu();
+  help_menu();
+  ImGui::Separator();
+  menu_action(actions_, "quit");
+  end_menu();
+}
+
+void MenuBar::help_menu() {
+  if (!begin_menu("menu/help", "Help")) return;
+  if (menu_item("first-look", "A first look", {}, session_.document().lesson == first_look_lesson))
+    go_to_step(session_, first_look_lesson, 0);
+  for (const char* name : {"help", "palette"}) menu_action(actions_, name);
+  ImGui::Separator();
+  if (menu_item("about", "About Pixelscope")) about_.open = true;
+  end_menu();
+}
+
+/// A button of the bar that runs an action, with its key in the tooltip.
+void MenuBar::bar_button(std::string_view action, std::string_view label) {
+  const Action* found = actions_.find(action);
+  const bool enabled = !found->enabled || found->enabled();
+  if (button("bar/" + std::string(action), label, Emphasis::quiet,
+             {.tooltip = with_key(found->label, action), .disabled = enabled ? "" : "There is no step to go to."}))
+    found->run();
 }
 
 void MenuBar::draw() {
   if (!ImGui::BeginMenuBar()) return;
-  mode_buttons();
+  ImGui::SetCursorPosX(px(8));
+  main_menu();
   scene_menu();
   lesson_menu();
-  view_menu();
-  study_menu();
-  if (begin_menu("menu/help", "Help")) {
-    if (menu_item("first-look", "A first look", {}, session_.document().lesson == first_look_lesson))
-      go_to_step(session_, first_look_lesson, 0);
-    for (const char* name : {"help", "palette"}) menu_action(actions_, name);
-    ImGui::Separator();
-    if (menu_item("about", "About Pixelscope")) about_.open = true;
-    end_menu();
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + px(8));
+  const std::string search = fmt::format("Search {}", actions_.key_text("palette"));
+  const float right = compare_buttons_width() + button_width(search) + button_width("?") + px(16);
+  const float left = ImGui::GetWindowWidth() - right;
+  // Where large type leaves them no room they are in menus and on their keys.
+  if (ImGui::GetCursorPosX() + button_width("Undo") + button_width("Redo") + px(24) < left) {
+    bar_button("undo", "Undo");
+    bar_button("redo", "Redo");
   }
-  // The name of a file is enough to be read from the last row.
-  const std::filesystem::path path(session_.document().scene_name);
-  const std::string name = path.is_absolute() ? path.filename().string() : path.string();
-  const std::string& title = session_.scene().title;
-  const std::string text = title.empty() || title == name ? name : fmt::format("{}   {}", name, title);
-  const float width = ImGui::CalcTextSize(text.c_str()).x;
-  const float left = std::max(ImGui::GetCursorPosX() + px(24), (ImGui::GetWindowWidth() - width) / 2);
-  const float modes = compare_buttons_width();
-  if (left + width + px(20) < ImGui::GetWindowWidth() - modes) {
-    ImGui::SetCursorPosX(left);
-    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopStyleColor();
+  if (ImGui::GetCursorPosX() < left) {
+    compare_buttons(left);
+    bar_button("palette", search);
+    bar_button("help", "?");
+  } else if (const float few = ImGui::GetWindowWidth() - compare_buttons_width(); ImGui::GetCursorPosX() < few) {
+    compare_buttons(few);
   }
-  // Where large type leaves them no room they are in the menu View and on their keys.
-  if (ImGui::GetCursorPosX() < ImGui::GetWindowWidth() - modes) compare_buttons(ImGui::GetWindowWidth() - modes);
   ImGui::EndMenuBar();
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <string_view>
 #include <vector>
 
 #include "gui/frame/about.h"
@@ -25,7 +26,9 @@ class MenuBar {
   void lesson_entries(int lines_below);
   void view_menu();
   void study_menu();
-  void mode_buttons();
+  void main_menu();
+  void help_menu();
+  void bar_button(std::string_view action, std::string_view label);
   float compare_buttons_width() const;
   void compare_buttons(float left);
 

@@ -179,9 +179,9 @@ bool draw_pixel(Session& session, PanelStates& my, const PanelHost& host) {
 Panel pixel(Session& session, PanelStates& my, const PanelHost& host) {
   return {.name = region_names::right,
           .place = PanelPlace::right,
-          .heading = "PIXEL",
-          .brief = "Pixel",
-          .command = "Pixel: how it got its colour",
+          .heading = "STORY",
+          .brief = "Story",
+          .command = "Story: how the pixel got its colour",
           .help = "The story of the picked pixel.",
           .draw = [&](const Context&) { return draw_pixel(session, my, host); },
           .actions =

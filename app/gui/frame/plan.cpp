@@ -14,6 +14,10 @@ constexpr double spare = 0.001;        // of the window: what rounding may take 
 constexpr float beside_text = 0.315f, beside_stage = 0.32f;  // of the width, where a tool is beside one picture
 constexpr float least_shared = 0.34f;                        // of the width, for text and tool in one place
 
+// The pixel's story, at scale 1: in a window so narrow it is 240 wide, in one of 1366 it is 390.
+constexpr float narrow_story = 240, narrow_window = 1024, widest_story = 440;
+constexpr float story_growth = (390 - narrow_story) / (1366 - narrow_window);
+
 struct Size {
   float width = 0, height = 0;
 };
@@ -123,12 +127,15 @@ ExplorePlan plan_explore(const PlanInput& in, const ExploreShares& shares) {
               least_right = std::min(180 * in.scale, width * 0.24f);
   // They grow with the window only so far that the pictures keep their share.
   const float own_left = std::clamp(width * 0.183f, std::min(220 * in.scale, width * 0.24f), 300 * in.scale);
-  const float own_right = std::clamp(width * 0.2f, std::min(236 * in.scale, width * 0.24f), 380 * in.scale);
+  const float own_right = std::clamp(narrow_story * in.scale + (width - narrow_window * in.scale) * story_growth,
+                                     std::min(narrow_story * in.scale, width * 0.24f), widest_story * in.scale);
   ExplorePlan plan;
-  plan.left = shares.left > 0 ? static_cast<float>(shares.left) * width : own_left;
-  plan.left = std::round(std::clamp(plan.left, least_left, width * 0.5f));
+  if (shares.left_open) {
+    plan.left = shares.left > 0 ? static_cast<float>(shares.left) * width : own_left;
+    plan.left = std::round(std::clamp(plan.left, least_left, width * 0.5f));
+  }
   plan.right = in.headline;
-  if (shares.pixel_open) {
+  if (shares.story_open) {
     plan.right = shares.right > 0 ? static_cast<float>(shares.right) * width : own_right;
     plan.right = std::round(std::clamp(plan.right, least_right, width * 0.5f));
   }

@@ -37,16 +37,16 @@ inline constexpr double lesson_share = 0.35, beside_share = 0.30, explore_share 
 /// tool and pictures with that share do not fit, text and tool share one place.
 LessonPlan plan_lesson(const PlanInput& input, StagePlace stage);
 
-/// How the window is divided exploring. `left`, `right` and `bottom` are shares of the area as the document has them,
-/// 0 = what suits the window; `bottom` 0 = folded.
+/// How the window is divided exploring, below the bar of techniques. `left`, `right` and `bottom` are shares of the
+/// area as the document has them, 0 = what suits the window; `bottom` 0 = folded.
 struct ExplorePlan {
-  float left = 0;    ///< width of the options
+  float left = 0;    ///< width of the options, or of a lesson's text; 0 while they are folded
   float right = 0;   ///< width of the pixel's story; that of its handle while it is folded
   float bottom = 0;  ///< height of the drawer
 };
 struct ExploreShares {
   double left = 0, right = 0, bottom = 0;
-  bool pixel_open = false;
+  bool left_open = false, story_open = true;
 };
 ExplorePlan plan_explore(const PlanInput& input, const ExploreShares& shares);
 

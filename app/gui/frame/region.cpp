@@ -1,8 +1,10 @@
 #include "gui/frame/region.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <map>
 
 #include "gui/frame/show_panel.h"
 #include "gui/widgets/widgets.h"
@@ -22,6 +24,22 @@ void region_heading(Session& session, std::string_view name, const std::string& 
   tooltip(filled ? "Double-click or Esc: back to the pictures." : "Double-click: fill the window with this.");
 }
 
+namespace {
+std::map<std::string, Area, std::less<>>& areas() {
+  static std::map<std::string, Area, std::less<>> all;
+  return all;
+}
+}  // namespace
+
+void note_area(std::string_view name, const Area& area) { areas().insert_or_assign(std::string(name), area); }
+
+std::string noted_area(std::string_view name) {
+  const auto found = areas().find(name);
+  if (found == areas().end()) return {};
+  const auto& [min, max] = found->second;
+  return fmt::format("{},{} {},{}", min.x, min.y, max.x, max.y);
+}
+
 void begin_region(Session& session, std::string_view name, const Area& area, const std::string& heading,
                   RegionPadding padding) {
   ImGui::SetCursorScreenPos(area.min);
@@ -31,6 +49,7 @@ void begin_region(Session& session, std::string_view name, const Area& area, con
                     ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar |
                         ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
+  note_area(name, area);
   if (!heading.empty()) region_heading(session, name, heading);
 }
 

@@ -10,6 +10,11 @@ namespace ps::gui {
 enum class RegionPadding { normal, tight };
 inline constexpr double region_padding = 8;  ///< at the sides, and above and below a normal one, pixels at scale 1
 
+/// Notes where a part of the window is drawn, for scripts.
+void note_area(std::string_view name, const Area& area);
+/// Where it was drawn last: "LEFT,TOP RIGHT,BOTTOM" in window pixels; empty if it never was.
+std::string noted_area(std::string_view name);
+
 /// Begins a region of the window; ImGui::EndChild() after what is in it. With a heading, a double click on that lets
 /// the region fill the window, another one or Esc takes it back. `name` is one of region_names.
 void begin_region(Session& session, std::string_view name, const Area& area, const std::string& heading = {},

@@ -15,6 +15,7 @@
 #include "gui/panels/lesson/lesson_list.h"
 #include "gui/panels/pictures/picture_frame.h"
 #include "gui/panels/pictures/slow_strip.h"
+#include "gui/panels/techniques/technique_bar.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/redraw.h"
 #include "gui/widgets/shorten.h"
@@ -79,7 +80,7 @@ void Regions::filled(const Area& area) {
   else if (session_.document().mode == ScreenMode::lesson)
     lesson_text(area);
   else
-    left(area);
+    left(area, true);
   my_.pictures.areas = {};
   my_.pictures.notes = {};
 }
@@ -98,12 +99,15 @@ PlanInput Regions::plan_input(const Area& area, PictureCaptions captions) const 
   return input;
 }
 
-void Regions::pictures(const Area& area, double least_share, PictureCaptions captions) {
+void Regions::pictures(const Area& area, double least_share, PictureCaptions captions, TwoPictures two) {
   const float margin = px(picture_margin);
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   const float strip = slow_strip_height(session_), bottom = area.max.y - strip;
   pictures_panel(session_, my_.pictures, {{area.min.x + margin, area.min.y}, {area.max.x - margin, bottom}},
-                 {.captions = captions, .least_pixels = least_share * window.x * window.y});
+                 {.captions = captions, .least_pixels = least_share * window.x * window.y, .two = two});
+  note_area("pictures", area);
+  for (const Side side : both_sides)
+    if (const auto& own = my_.pictures.areas[index_of(side)]) note_area(side == Side::a ? "a" : "b", *own);
   if (strip <= 0) return;
   begin_region(session_, "slow-motion", {{area.min.x, bottom}, area.max}, {}, RegionPadding::tight);
   slow_strip(session_, my_.pictures.slow);
@@ -271,7 +275,7 @@ void Regions::fill_with_stage() {
 
 /// The tool of the stage, from a list. `shown`: not empty: is written in place of its name.
 void Regions::choose_stage(float width, std::string_view shown) {
-  std::vector<Choice> tools{{story_names::one, "PIXEL", "The story of the picked pixel."}};
+  std::vector<Choice> tools{{story_names::one, "STORY", "The story of the picked pixel."}};
   int index = 0;
   for (const Panel& each : panels_) {
     if (each.place != PanelPlace::below) continue;
@@ -301,32 +305,43 @@ void Regions::stage(const Area& area, bool folded) {
   ImGui::EndChild();
 }
 
-void Regions::explore(const Area& area) {
-  if (!session_.document().layout.panels) return pictures(area, explore_share, PictureCaptions::full);
+void Regions::explore(const Area& whole) {
+  if (!session_.document().layout.panels) return pictures(whole, explore_share, PictureCaptions::full);
+  // A script that looks for a control of the options opens them, as their button does.
+  if (controls().revealing().starts_with("options/") && !session_.document().layout.options_open)
+    session_.navigate([](Document& document) { document.layout.options_open = true; });
+  const float bar = technique_bar_height(whole.width());
+  begin_region(session_, "techniques", {whole.min, {whole.max.x, whole.min.y + bar}}, {}, RegionPadding::tight);
+  technique_bar(session_, {whole.min, {whole.max.x, whole.min.y + bar}});
+  ImGui::EndChild();
+
+  const Area area{{whole.min.x, whole.min.y + bar}, whole.max};
   const Layout shares = session_.document().layout;
+  const bool has_left = shares.options_open || my_.history.open || my_.lessons.open(session_) != nullptr;
   const PictureCaptions captions = area.height() < px(600) ? PictureCaptions::brief : PictureCaptions::full;
   const ExplorePlan plan =
-      plan_explore(plan_input(area, captions), {shares.left, shares.right, shares.bottom, shares.pixel_open});
+      plan_explore(plan_input(area, captions), {shares.left, shares.right, shares.bottom, has_left, shares.story_open});
   const float width = area.width(), height = area.height(), grip = px(6), folded = folded_height();
   const float least_left = std::min(px(180), width * 0.3f), least_right = std::min(px(180), width * 0.24f);
   float left_end = plan.left, right_begin = width - plan.right, bottom = height - grip - plan.bottom;
   const ImVec2 at = area.min;
-  left({at, {at.x + left_end, area.max.y}});
-  right({{at.x + right_begin + grip, at.y}, area.max}, shares.pixel_open);
-  drawer({{at.x + left_end + grip, at.y + bottom + grip}, {at.x + right_begin, area.max.y}});
-  pictures({{at.x + left_end + grip, at.y}, {at.x + right_begin, at.y + bottom}}, explore_share, captions);
+  const float middle = has_left ? left_end + grip : 0;  // where the pictures begin
+  if (has_left) left({at, {at.x + left_end, area.max.y}}, shares.options_open || my_.history.open);
+  right({{at.x + right_begin + grip, at.y}, area.max}, shares.story_open);
+  drawer({{at.x + middle, at.y + bottom + grip}, {at.x + right_begin, area.max.y}});
+  pictures({{at.x + middle, at.y}, {at.x + right_begin, at.y + bottom}}, explore_share, captions, TwoPictures::stay);
 
   // Only what was dragged becomes a share of its own; the rest stays with what suits the window.
-  if (divider("split/left", SplitterAxis::left_right, {at.x + left_end, at.y}, height, left_end, least_left,
-              width * 0.5f))
+  if (has_left && divider("split/left", SplitterAxis::left_right, {at.x + left_end, at.y}, height, left_end, least_left,
+                          width * 0.5f))
     session_.navigate([&](Document& document) { document.layout.left = left_end / width; });
-  if (shares.pixel_open && divider("split/right", SplitterAxis::left_right, {at.x + right_begin, at.y}, height,
+  if (shares.story_open && divider("split/right", SplitterAxis::left_right, {at.x + right_begin, at.y}, height,
                                    right_begin, width * 0.5f, width - least_right))
     session_.navigate([&](Document& document) { document.layout.right = 1 - right_begin / width; });
   const float most_bottom = std::max(height - grip - folded, height * 0.3f);
   const float corner = px(3);  // belongs to the vertical dividers
-  if (divider("split/bottom", SplitterAxis::up_down, {at.x + left_end + grip + corner, at.y + bottom},
-              right_begin - left_end - grip - 2 * corner, bottom, height * 0.3f, most_bottom)) {
+  if (divider("split/bottom", SplitterAxis::up_down, {at.x + middle + corner, at.y + bottom},
+              right_begin - middle - 2 * corner, bottom, height * 0.3f, most_bottom)) {
     const bool shut = bottom >= most_bottom - 1;
     session_.navigate([&](Document& document) { document.layout.bottom = shut ? 0 : 1 - (bottom + grip) / height; });
   }
@@ -374,16 +389,16 @@ void Regions::study(const Area& area) {
   pictures({{area.max.x - width, area.min.y}, area.max}, 0, PictureCaptions::full);
 }
 
-/// At the first start, until it is answered. Returns what room is left.
+/// At the first start, until it is answered, at the lower end of the story's column. Returns what room is left.
 Area Regions::first_look(const Area& area) {
   if (!offers_first_look_ || !session_.document().lesson.empty()) return area;
-  const float bottom = area.min.y + first_look_height(area.width() - 2 * px(region_padding));
-  begin_region(session_, "first-look", {area.min, {area.max.x, bottom}}, "NEW HERE?");
+  const float top = area.max.y - first_look_height(area.width() - 2 * px(region_padding));
+  begin_region(session_, "first-look", {{area.min.x, top}, area.max}, "NEW HERE?");
   const FirstLookAnswer answer = first_look_offer();
   ImGui::EndChild();
   answered_ = answer != FirstLookAnswer::none;
   if (answer == FirstLookAnswer::start) go_to_step(session_, first_look_lesson, 0);
-  return {{area.min.x, bottom}, area.max};
+  return {area.min, {area.max.x, top}};
 }
 
 void Regions::panel_in(const Panel& panel, std::string_view region, const Area& area) {
@@ -392,8 +407,11 @@ void Regions::panel_in(const Panel& panel, std::string_view region, const Area& 
   ImGui::EndChild();
 }
 
-void Regions::left(const Area& area) {
-  Area options = first_look(area);
+/// A lesson's text and the options or the history, whichever are open.
+void Regions::left(const Area& area, bool has_options) {
+  if (my_.lessons.open(session_) && !has_options)
+    return panel_in(panel(region_names::lesson), region_names::lesson, above_question(area));
+  Area options = area;
   if (my_.lessons.open(session_)) {
     const float height = area.height(), grip = px(6);
     float divide = std::round(std::min(height * lesson_share_, height - px(least_options_height)));
@@ -408,23 +426,23 @@ void Regions::left(const Area& area) {
 }
 
 /// The pixel's story, or while it is folded the button that opens it.
-void Regions::right(const Area& area, bool open) {
+void Regions::right(const Area& column, bool open) {
   const auto show = [&](bool opened) {
-    session_.navigate([&](Document& document) { document.layout.pixel_open = opened; });
+    session_.navigate([&](Document& document) { document.layout.story_open = opened; });
   };
   if (!open) {
-    ImGui::SetCursorScreenPos({area.min.x, area.min.y + px(6)});
-    if (button("pixel/open", "‹", Emphasis::quiet, {.tooltip = "PIXEL: how the picked pixel got its colour."}))
+    ImGui::SetCursorScreenPos({column.min.x, column.min.y + px(6)});
+    if (button("pixel/open", "‹", Emphasis::quiet, {.tooltip = "STORY: how the picked pixel got its colour."}))
       show(true);
     return;
   }
+  const Area area = first_look(column);
   begin_region(session_, region_names::right, area);
   const bool filled = session_.document().layout.filled == region_names::right;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (!filled) {
     ImGui::SetCursorScreenPos({area.max.x - button_width("›") - px(6), area.min.y + px(2)});
-    if (button("pixel/fold", "›", Emphasis::quiet, {.tooltip = "Folds PIXEL away; a click on a pixel opens it."}))
-      show(false);
+    if (button("pixel/fold", "›", Emphasis::quiet, {.tooltip = "Folds STORY away; ‹ opens it again."})) show(false);
     ImGui::SetCursorScreenPos(at);
   }
   region_heading(session_, region_names::right, std::string(panel(region_names::right).heading),
@@ -436,7 +454,8 @@ void Regions::right(const Area& area, bool open) {
 void Regions::drawer(const Area& area) {
   const bool open = bottom_is_open(session_.document());
   begin_region(session_, region_names::bottom, area, {}, open ? RegionPadding::normal : RegionPadding::tight);
-  drawer_tabs(session_, panels_, my_.drawer);
+  // Tools come with the first pixel; their place is kept.
+  if (open || session_.pixel()) drawer_tabs(session_, panels_, my_.drawer);
   if (open) {
     const bool filled = session_.document().layout.filled == region_names::bottom;
     if (tool(panel(session_.document().layout.bottom_tab), {.filled = filled}))

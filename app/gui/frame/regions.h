@@ -10,16 +10,16 @@
 namespace ps::gui {
 
 /// The regions of the window with the panels in them, as the document's mode and layout divide it. A lesson: its text,
-/// the pictures, and below these the tool that the step is about. Exploring: options, pictures with a drawer of tools
-/// below, and the pixel's story. A study: its tool at full height beside small pictures.
-/// The presenter: pictures, and the lesson's text as a caption.
+/// the pictures, and below these the tool that the step is about. Exploring: the bar of techniques, below it the
+/// options if they are open, the pictures with a drawer of tools, and the pixel's story. A study: its tool at full
+/// height beside small pictures. The presenter: pictures, and the lesson's text as a caption.
 class Regions {
  public:
   /// All must outlive it.
   Regions(Session& session, PanelStates& states, const std::vector<Panel>& panels)
       : session_(session), my_(states), panels_(panels) {}
 
-  /// Draws all of it. `offers_first_look`: the offer to lead a newcomer round is above the options.
+  /// Draws all of it. `offers_first_look`: the offer to lead a newcomer round is below the pixel's story.
   void draw(const Area& area, bool offers_first_look);
   /// In the window's last line, below them: the buttons of the question for a line of the listing, where the listing
   /// has the place of the text. Returns its sentence, for the rest of that line; none without such a question.
@@ -30,11 +30,11 @@ class Regions {
  private:
   void filled(const Area& area);
   void lesson(const Area& area);
-  void explore(const Area& area);
+  void explore(const Area& whole);
   void study(const Area& area);
   void presenter(const Area& area);
-  void left(const Area& area);
-  void right(const Area& area, bool open);
+  void left(const Area& area, bool has_options);
+  void right(const Area& column, bool open);
   void drawer(const Area& area);
   bool tool(const Panel& panel, const Context& context);
   void stage(const Area& area, bool folded);
@@ -46,7 +46,8 @@ class Regions {
   bool column_head();
   void fill_with_stage();
   void choose_stage(float width, std::string_view shown);
-  void pictures(const Area& area, double least_share, PictureCaptions captions);
+  void pictures(const Area& area, double least_share, PictureCaptions captions,
+                TwoPictures two = TwoPictures::may_share);
   Area first_look(const Area& area);
   /// A region with its heading, and the panel in it. `region` is its name in the document's layout.
   void panel_in(const Panel& panel, std::string_view region, const Area& area);

@@ -1,10 +1,13 @@
 #include <filesystem>
 
 #include "gui/frame/menu_bar.h"
+#include "gui/widgets/shorten.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
 namespace {
+
+constexpr float widest_name = 0.25f;  // of the bar
 
 /// A name as it is; of a long path its end, which says more than its beginning.
 std::string short_path(const std::string& name) {
@@ -18,7 +21,11 @@ std::string short_path(const std::string& name) {
 }  // namespace
 
 void MenuBar::scene_menu() {
-  if (!begin_menu("menu/scene", "Scene")) return;
+  const std::string& title = session_.scene().title;
+  const std::string shown =
+      title.empty() ? std::filesystem::path(session_.document().scene_name).filename().string() : title;
+  const float most = ImGui::GetWindowWidth() * widest_name;
+  if (!begin_menu("menu/scene", "Scene: " + whole_words(shown, most))) return;
   menu_action(actions_, "open");
   menu_action(actions_, "scenes");
   if (!session_.loader().recent().empty() && begin_menu("menu/recent", "Recent")) {
@@ -35,8 +42,6 @@ void MenuBar::scene_menu() {
   ImGui::Separator();
   for (const char* name : {"picture-b", "drop-picture-b", "copy-permalink", "copy-command"})
     menu_action(actions_, name);
-  ImGui::Separator();
-  menu_action(actions_, "quit");
   end_menu();
 }
 

@@ -3,7 +3,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr double opened_share = 0.3;  // of the window's height
+constexpr double opened_share = 0.42;  // of the window's height
 
 }  // namespace
 

@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <utility>
 
+#include "gui/session/pixel_words.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/redraw.h"
 #include "gui/widgets/shorten.h"
 #include "gui/widgets/widgets.h"
-#include "math/conventions.h"
 #include "options/renderer_kind.h"
 #include "render/channel_picture.h"
 #include "render/story/names.h"
@@ -127,17 +127,16 @@ std::string hover_text(Session& session, const PicturesState& pictures) {
   if (pictures.asked && pictures.asked->pixel == pixel) return "Answer first; then this pixel is shown.";
   const auto& levels = pictures.pictures[index_of(side)].levels;
   if (!levels.contains(pixel.x, pixel.y)) return {};
-  const Vec2i book = book_pixel(pixel.x, pixel.y, levels.width(), levels.height());
   const Rgb8 level = levels.at(pixel.x, pixel.y);
-  std::string text = fmt::format("{}   array ({}, {})   book ({}, {})   {} {} {}", letter_of(side), pixel.x, pixel.y,
-                                 book.x, book.y, level.r, level.g, level.b);
+  const std::string place = pixel_words(session, pixel);
+  std::string text = fmt::format("{}   {}   {} {} {}", letter_of(side), place, level.r, level.g, level.b);
   if (side == Side::b && session.picture_b()) return text;
   if (session.document().compare == CompareMode::difference) {
     const auto& others = pictures.pictures[1].levels;
     if (!others.contains(pixel.x, pixel.y)) return text;
     const Rgb8 b = others.at(pixel.x, pixel.y);
-    return fmt::format("array ({}, {})   A {} {} {}   B {} {} {}   B − A {:+} {:+} {:+}", pixel.x, pixel.y, level.r,
-                       level.g, level.b, b.r, b.g, b.b, b.r - level.r, b.g - level.g, b.b - level.b);
+    return fmt::format("{}   A {} {} {}   B {} {} {}   B − A {:+} {:+} {:+}", place, level.r, level.g, level.b, b.r,
+                       b.g, b.b, b.r - level.r, b.g - level.g, b.b - level.b);
   }
   const bool fresh = result && result->frame.width() == levels.width() && result->frame.height() == levels.height();
   if (!fresh) return text;

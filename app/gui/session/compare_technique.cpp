@@ -7,7 +7,7 @@
 namespace ps::gui {
 
 void compare_technique(Session& session, const Technique& technique, const TechniqueChoice& choice) {
-  const auto shown = shown_technique(session.document(), session.traits());
+  const auto shown = session.shown_technique();
   if (shown && &technique_table()[shown->technique].choices[shown->choice] == &choice) return leave_technique(session);
   const std::string before = session.scene().title;
   const std::string name = session.document().scene_name;
@@ -15,7 +15,7 @@ void compare_technique(Session& session, const Technique& technique, const Techn
                [&](Document& document) { document = with_technique(document, technique, choice, load_scene); });
   if (session.document().scene_name != name)
     session.say(Message::Kind::information,
-                fmt::format("{} cannot show this, so {} is open. Back: Ctrl Z.", before, session.scene().title));
+                fmt::format("{} cannot show this, so {} is open. Back leads back.", before, session.scene().title));
 }
 
 void leave_technique(Session& session) {

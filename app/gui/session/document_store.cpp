@@ -156,6 +156,11 @@ Scene DocumentStore::earlier_scene(const std::string& name) const {
   return found == entries.rend() ? Scene{} : found->document.base;
 }
 
+std::optional<ShownTechnique> DocumentStore::shown_technique() const {
+  if (std::exchange(technique_revision_, revision_) != revision_) technique_ = ps::shown_technique(document_, traits_);
+  return technique_;
+}
+
 const std::string& DocumentStore::permalink() const {
   if (linked_revision_ != revision_) {
     link_ = has_scene() ? ps::permalink(document_) : "";

@@ -5,6 +5,7 @@
 
 #include "document/document.h"
 #include "document/history.h"
+#include "document/technique.h"
 #include "gui/session/message_list.h"
 
 namespace ps::gui {
@@ -29,6 +30,8 @@ class DocumentStore {
   const Settings& settings(Side side) const { return side_of(document_, side).settings; }
   ShownChannel shown(Side side) const { return side_of(document_, side).show; }
   View view() const { return view_of(document_); }
+  /// The comparison of a technique that A and B are; looked up anew only after a change.
+  std::optional<ShownTechnique> shown_technique() const;
   /// The picked pixel; nullopt where none is, or it is outside of the picture.
   std::optional<Vec2i> pixel() const;
   const std::optional<TileRect>& region() const { return document_.view.region; }
@@ -104,6 +107,8 @@ class DocumentStore {
   std::uint64_t revision_ = 0, change_ = 0;
   mutable std::optional<std::uint64_t> linked_revision_;  // that link_ was made for
   mutable std::string link_;
+  mutable std::optional<std::uint64_t> technique_revision_;  // that technique_ was found for
+  mutable std::optional<ShownTechnique> technique_;
 };
 
 }  // namespace ps::gui

@@ -173,7 +173,7 @@ void offer_session_values(Values& out, Session& session) {
   out.offer("lesson", [&session] { return session.document().lesson; });
   out.offer("step", [&session] { return session.document().lesson.empty() ? 0 : session.document().step + 1; });
   out.offer("panels", [&session] { return session.document().layout.panels; });
-  out.offer("pixel-panel", [&session] { return session.document().layout.pixel_open; });
+  out.offer("pixel-panel", [&session] { return session.document().layout.story_open; });
   out.offer("mode", [&session] { return mode_key(session.document().mode); });
   out.offer("selected-event", [&session] { return session.selected_event(inspected_side(session)); });
   out.offer("space/filled", [&session] { return session.document().layout.filled == region_names::bottom; });

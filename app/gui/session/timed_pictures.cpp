@@ -6,9 +6,6 @@ namespace ps::gui {
 namespace {
 
 constexpr std::size_t most_kept = 24;
-/// Two short renders that one change asks for may follow one another.
-constexpr std::chrono::milliseconds same_moment{250};
-
 bool same_picture(const PictureRequest& a, const PictureRequest& b) { return a.shown == b.shown && same_render(a, b); }
 
 }  // namespace
@@ -23,12 +20,6 @@ const TimedPicture* TimedPictures::find(const PictureRequest& request) const {
   const auto found = std::find_if(newest_first_.begin(), newest_first_.end(),
                                   [&](const TimedPicture& one) { return same_picture(one.request, request); });
   return found == newest_first_.end() ? nullptr : &*found;
-}
-
-bool shows_single_run(const RenderResult& own, const RenderResult* other) {
-  if (!other) return true;
-  const auto ended = own.begun + std::chrono::duration<double, std::milli>(own.milliseconds);
-  return ended + same_moment >= other->begun;
 }
 
 }  // namespace ps::gui

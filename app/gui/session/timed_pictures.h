@@ -24,8 +24,4 @@ class TimedPictures {
   std::deque<TimedPicture> newest_first_;
 };
 
-/// Whether the time of a single run may be shown beside that of the other picture: only of two runs that one change
-/// asked for, at the same time or nearly so. Otherwise the newer one's alone. `other` is null where there is none.
-bool shows_single_run(const RenderResult& own, const RenderResult* other);
-
 }  // namespace ps::gui

@@ -43,11 +43,6 @@ std::string work_text(const CaptionWork& work, std::optional<std::uint64_t> befo
   return fmt::format("{}{} {}{}", old, count_text(work.count), work.one, work.count == 1 ? "" : "s");
 }
 
-std::string single_run_text(double milliseconds) {
-  if (milliseconds >= 1000) return fmt::format("~{} s (first)", two_digits(milliseconds / 1000));
-  return fmt::format("~{} ms (first)", two_digits(milliseconds));
-}
-
 std::string warm_time_text(const Quartiles& ms) {
   const double unit = ms.median >= 1000 ? 1000 : 1;
   return fmt::format("{} {} ({} to {})", three_digits(ms.median / unit), unit > 1 ? "s" : "ms",

@@ -21,8 +21,6 @@ std::vector<CaptionWork> caption_work(const RenderResult& result);
 /// "37 triangles", or "19 → 37 triangles" where it was another number before.
 std::string work_text(const CaptionWork& work, std::optional<std::uint64_t> before = {});
 
-/// "~270 ms (first)": two digits, as a single run says no more.
-std::string single_run_text(double milliseconds);
 /// "23.5 ms (22.9 to 24.4)": the median and the quartiles of warm runs.
 std::string warm_time_text(const Quartiles& milliseconds);
 

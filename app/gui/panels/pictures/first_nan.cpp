@@ -22,10 +22,7 @@ void go_to_first_nan(Session& session) {
     const auto found = result ? first_not_finite(result->frame.colour) : std::nullopt;
     if (!found) continue;
     session.set_pixel(*found);
-    session.navigate([&](Document& document) {
-      document.picked = side;
-      document.layout.pixel_open = true;
-    });
+    session.navigate([&](Document& document) { document.picked = side; });
     const bool nan = has_nan(result->frame.colour.at(found->x, found->y));
     return session.say(Message::Kind::information,
                        fmt::format("{}: the first pixel that is {} is ({}, {}).", letter_of(side),

@@ -33,28 +33,17 @@ FooterItem left_out_item(Session& session, Side side) {
   return {"left-out", texts.names, texts.sentences, Voice::attention};
 }
 
-/// The picture on the other side, if it is seen and rendered.
-std::shared_ptr<const RenderResult> beside(Session& session, Side side) {
-  const CompareMode compare = session.document().compare;
-  if (compare == CompareMode::only_a || compare == CompareMode::only_b || session.picture_b()) return nullptr;
-  return session.renderer(other_side(side)).result();
-}
-
-/// The median of warm runs; until there is one, a single run where it cannot mislead.
-FooterItem time_item(Session& session, Side side, const RenderResult& result) {
-  if (const TimedPicture* timed = session.work().timed().find(result.request))
-    return {time_name, warm_time_text(timed->ms),
-            fmt::format("Median and quartiles of {} warm runs, in turn with the other picture.", timed->runs),
-            Voice::plain};
-  if (!shows_single_run(result, beside(session, side).get())) return {};
-  return {"time", single_run_text(result.milliseconds),
-          "A single run, with all that it had to prepare and whatever else the machine did. Timings has a button that "
-          "times both pictures.",
-          Voice::quiet};
+/// The median of warm runs; a single run would say more about what it had to prepare.
+FooterItem time_item(Session& session, const RenderResult& result) {
+  const TimedPicture* timed = session.work().timed().find(result.request);
+  if (!timed) return {};
+  return {time_name, warm_time_text(timed->ms),
+          fmt::format("Median and quartiles of {} warm runs, in turn with the other picture.", timed->runs),
+          Voice::plain};
 }
 
 std::vector<FooterItem> footer_items(Session& session, Side side, CaptionChange& change, PictureCaptions captions,
-                                     const std::string& lead) {
+                                     const std::string& lead, const std::string& beside) {
   if (const auto file = session.picture_b(); side == Side::b && file)
     return {{{}, fmt::format("{}{} x {} pixels", lead, file->levels.width(), file->levels.height()), file->path}};
   const auto result = session.renderer(side).result();
@@ -75,7 +64,8 @@ std::vector<FooterItem> footer_items(Session& session, Side side, CaptionChange&
       item.widest = work_text(work, work.count);
       items.push_back(std::move(item));
     }
-    items.push_back(time_item(session, side, *result));
+    if (!beside.empty()) items.push_back({"beside", beside, "Pixels whose levels are not those of A.", Voice::plain});
+    items.push_back(time_item(session, *result));
   }
   // After the pixels that are not a number, which no ellipsis may reach.
   const auto place =
@@ -155,14 +145,15 @@ std::vector<Slot> placed(std::vector<FooterItem>& items, const Area& row, const 
 }  // namespace
 
 void picture_footer(Session& session, Side side, CaptionChange& change, const Area& row, PictureCaptions captions,
-                    const std::string& lead) {
+                    const std::string& lead, const std::string& beside) {
   const NameScope scope(side == Side::a ? "view/a" : "view/b");
   auto& list = *ImGui::GetWindowDrawList();
   const FooterMeasures measures;
-  std::vector<FooterItem> items = footer_items(session, side, change, captions, lead);
-  const ImVec2 corner{row.min.x, row.min.y + (captions == PictureCaptions::full ? px(note_height) : 0) + px(3)};
+  std::vector<FooterItem> items = footer_items(session, side, change, captions, lead, beside);
+  const ImVec2 corner{row.min.x, row.min.y + px(3)};
+  const float bottom = row.max.y - (captions == PictureCaptions::full ? px(note_height) : 0);
   const std::string time = !items.empty() && items.back().name == time_name ? items.back().text : "";
-  const std::vector<Slot> slots = placed(items, {corner, row.max}, measures);
+  const std::vector<Slot> slots = placed(items, {corner, {row.max.x, bottom}}, measures);
   std::string all;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const FooterItem& item = items[i];
@@ -179,7 +170,7 @@ void picture_footer(Session& session, Side side, CaptionChange& change, const Ar
                  colour_u32(item.voice == Voice::quiet ? palette().text_quiet : palette().text), shown);
     ImGui::SetCursorScreenPos(at);
     ImGui::Dummy({width, measures.height});
-    if (item.name == "left-out") controls().record(item.name, text);
+    if (item.name == "left-out" || item.name == "beside") controls().record(item.name, text);
     tooltip(item.tooltip);
   }
   controls().record("footer", row.min, row.max, all);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "document/technique.h"
 #include "gui/panels/pictures/clipped_text.h"
 #include "gui/panels/pictures/picture_text.h"
 #include "gui/widgets/draw.h"
@@ -24,14 +25,35 @@ const std::vector<Choice>& channel_choices() {
   return choices;
 }
 
-/// Cuts at a space so that the first part fits the width; answers the rest.
-std::string take_line(Face face, std::string& text, float width) {
-  const FontScope font(face);
-  const std::size_t length = in_lines(text, width).find('\n');
-  if (length == std::string::npos) return {};
-  std::string rest = text.substr(length + 1);
-  text.resize(length);
-  return rest;
+/// What stands over a side: the words of the technique that A and B compare, or else the settings.
+PictureTitle title_of(Session& session, Side side) {
+  if (const auto file = side == Side::b ? session.picture_b() : nullptr) {
+    const std::string name = "file " + std::filesystem::path(file->path).filename().string();
+    return {name, name, {}};
+  }
+  const CompareMode compare = session.document().compare;
+  const bool single = compare == CompareMode::only_a || compare == CompareMode::only_b;
+  const Settings* other = single || session.picture_b() ? nullptr : &session.settings(other_side(side));
+  PictureTitle title = picture_title_words(session.settings(side), session.traits(), other);
+  if (const auto shown = session.shown_technique(); other && shown)
+    title.differing = title.brief = technique_words(session.document(), *shown)[index_of(side)];
+  return title;
+}
+
+/// A title in its room: what differs in bold, if need be in small type or as values alone; then the rest, quietly.
+void draw_title(ImDrawList& list, const PictureTitle& title, ImVec2 at, float room) {
+  const auto fits = [&](Face face, const std::string& text) { return width_of(face, text) <= room; };
+  const bool whole = fits(Face::bold, title.differing) || fits(Face::small, title.differing);
+  const std::string& words = whole || title.brief.empty() ? title.differing : title.brief;
+  const Face face = fits(Face::bold, words) ? Face::bold : Face::small;
+  const float drop = (theme().font(Face::bold)->FontSize - theme().font(face)->FontSize) / 2;
+  clipped_text(list, face, {at.x, at.y + drop}, room, colour_u32(palette().text), whole_parts(face, words, room));
+  const float used = width_of(face, words) + px(12), left = room - used;
+  if (title.shared.empty() || left < px(40)) return;
+  const std::string rest = whole_parts(Face::small, title.shared, left);
+  if (width_of(Face::small, rest) > left) return;
+  const float small_drop = (theme().font(Face::bold)->FontSize - theme().font(Face::small)->FontSize) / 2 + px(1);
+  clipped_text(list, Face::small, {at.x + used, at.y + small_drop}, left, colour_u32(palette().text_quiet), rest);
 }
 
 }  // namespace
@@ -44,7 +66,7 @@ PictureMargins picture_margins(float width, PictureCaptions captions) {
 
 std::optional<Area> picture_note(const Area& footer, PictureCaptions captions) {
   if (captions == PictureCaptions::brief) return {};
-  return Area{{footer.min.x, footer.min.y + px(3)}, {footer.max.x, footer.min.y + px(note_height)}};
+  return Area{{footer.min.x, footer.max.y - px(note_height)}, {footer.max.x, footer.max.y - px(3)}};
 }
 
 void attention_mark(ImDrawList& list, ImVec2 corner, float size) {
@@ -79,32 +101,12 @@ void picture_title(Session& session, Side side, const Area& row, PictureCaptions
               space = px(8);
   side_badge(list, {row.min.x, top}, size, side);
 
-  const auto file = side == Side::b ? session.picture_b() : nullptr;
-  const CompareMode compare = session.document().compare;
-  const bool single = compare == CompareMode::only_a || compare == CompareMode::only_b;
-  const Settings* other = single || session.picture_b() ? nullptr : &session.settings(other_side(side));
-  const std::string text = !instead.empty() ? std::string(instead)
-                           : file           ? "file " + std::filesystem::path(file->path).filename().string()
-                                            : title_text(session.settings(side), session.traits(), other);
-  const ImU32 colour = colour_u32(palette().text);
+  PictureTitle words = title_of(session, side);
+  if (!instead.empty()) words = {std::string(instead), {}, {}};
+  const std::string text = words.text();
   const float text_left = row.min.x + size + space;
   const float text_top = top + (size - theme().font(Face::bold)->FontSize) / 2;
-  if (two_lines) {
-    const float room = row.max.x - text_left;
-    const Face face = width_of(Face::bold, text) <= room ? Face::bold : Face::small;
-    std::string first = text;
-    const std::string rest = take_line(face, first, room);
-    const float first_top = rest.empty() ? text_top : row.min.y;
-    clipped_text(list, face, {text_left, first_top}, room, colour, first);
-    clipped_text(list, face, {text_left, first_top + px(15)}, room, colour, whole_parts(face, rest, room));
-  } else {
-    const float room = row.max.x - choice_width - space - text_left;
-    std::string shown = whole_parts(Face::bold, text, room);
-    const bool fits = width_of(Face::bold, shown) <= room;
-    if (!fits) shown = whole_parts(Face::small, text, room);
-    if (fits || width_of(Face::small, shown) <= room)  // else the badge and the tooltip alone
-      clipped_text(list, fits ? Face::bold : Face::small, {text_left, text_top}, room, colour, shown);
-  }
+  draw_title(list, words, {text_left, text_top}, row.max.x - text_left - (two_lines ? 0 : choice_width + space));
 
   ImGui::SetCursorScreenPos(row.min);
   ImGui::InvisibleButton(side == Side::a ? "title-a" : "title-b",

@@ -13,7 +13,7 @@ namespace ps::gui {
 
 /// The lines above and below a picture: what it is made with, which channel is shown, what it cost, what it leaves out.
 /// Where a picture is narrow both have two lines instead of one, so that no text that matters is cut. The lines below
-/// begin with a row for a note, kept free while there is none so that no part jumps.
+/// end with a row for a note, kept free while there is none so that no part jumps.
 struct PictureMargins {
   float title = 0, footer = 0;  ///< heights in window pixels
 };
@@ -34,10 +34,10 @@ void side_badge(ImDrawList& list, ImVec2 corner, float size, Side side);
 void picture_title(Session& session, Side side, const Area& row, PictureCaptions captions = PictureCaptions::full,
                    std::string_view instead = {});
 
-/// The lines below a picture, under its note: the counted work, with what it was before the last change; how long it
-/// took; a thin bar while it is being made. Brief ones name here what the renderer cannot show of the scene. `lead`
-/// comes first.
+/// The lines below a picture, above its note: the counted work, with what it was before the last change; how long it
+/// took, once that has been measured; a thin bar while it is being made. Brief ones name here what the renderer cannot
+/// show of the scene. `lead` comes first; `beside` says how it differs from the other picture, where it is not empty.
 void picture_footer(Session& session, Side side, CaptionChange& change, const Area& row, PictureCaptions captions,
-                    const std::string& lead = {});
+                    const std::string& lead = {}, const std::string& beside = {});
 
 }  // namespace ps::gui

@@ -149,10 +149,7 @@ void picture_input(Session& session, PicturesState& state, Side side, const Area
   if (ImGui::IsItemDeactivated()) {
     if (state.drag == PictureDrag::undecided && on_picture) {
       session.set_pixel(pixel);
-      session.navigate([&](Document& document) {
-        document.picked = under;
-        document.layout.pixel_open = true;
-      });
+      session.navigate([&](Document& document) { document.picked = under; });
     }
     if (state.drag == PictureDrag::look || state.drag == PictureDrag::orbit || state.drag == PictureDrag::handle ||
         state.drag == PictureDrag::gizmo)

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "base/number_text.h"
+#include "options/difference_words.h"
 #include "options/option.h"
 #include "options/renderer_kind.h"
 
@@ -18,8 +20,9 @@ std::string label_of(std::string_view key, const Settings& settings) {
   return std::string(chosen(*option, settings).label);
 }
 
-/// The value of an option with four digits, unless `other` then looks the same but is not.
-std::string short_text(const Option& option, const Settings& settings, const Settings* other) {
+/// The value of an option in a word; numbers with four digits, unless `other` then looks the same but is not.
+std::string value_word(const Option& option, const Settings& settings, const Settings* other) {
+  if (option.kind == OptionKind::choice) return std::string(chosen(option, settings).label);
   if (option.kind != OptionKind::real) return option_text(option, settings);
   const auto four_digits = [&](const Settings& of) { return fmt::format("{:.4g}", option.get(of)); };
   const bool differs = other && option.get(settings) != option.get(*other);
@@ -30,8 +33,16 @@ std::string short_text(const Option& option, const Settings& settings, const Set
 /// One part of a title.
 struct TitlePart {
   std::string text;
-  bool differs = false;  ///< from the other picture
+  bool differs = false;    ///< from the other picture
+  std::string brief = {};  ///< the value alone; empty = the text
 };
+
+/// "shading: flat", "exposure 0.3333"
+std::string title_words(const Option& option, const Settings& settings, const std::string& value) {
+  if (option.kind != OptionKind::real) return caption_words(option, settings);
+  std::string words = caption_words(option, settings);
+  return words.substr(0, words.rfind(' ') + 1) + value;
+}
 
 std::vector<TitlePart> title_parts(const Settings& settings, const SceneTraits& traits, const Settings* other) {
   const auto differs = [&](const Option& option) { return other && option.get(settings) != option.get(*other); };
@@ -73,7 +84,8 @@ std::vector<TitlePart> title_parts(const Settings& settings, const SceneTraits& 
       continue;
     const bool is_default = option.get(settings) == option.default_value();
     if ((is_default && !differs(option)) || inactive_reason(option, settings, traits)) continue;
-    parts.push_back({fmt::format("{} = {}", option.key, short_text(option, settings, other)), differs(option)});
+    const std::string value = value_word(option, settings, other);
+    parts.push_back({title_words(option, settings, value), differs(option), value});
   }
   return parts;
 }
@@ -97,14 +109,18 @@ std::string two_digits(double value) {
   return fmt::format("{:.0f}", std::round(value / place) * place);
 }
 
-std::string title_text(const Settings& settings, const SceneTraits& traits, const Settings* other) {
-  std::string differing, shared;
+PictureTitle picture_title_words(const Settings& settings, const SceneTraits& traits, const Settings* other) {
+  PictureTitle title;
+  const auto add = [](std::string& text, const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
   for (const TitlePart& part : title_parts(settings, traits, other)) {
-    std::string& text = part.differs ? differing : shared;
-    text += (text.empty() ? "" : ", ") + part.text;
+    add(part.differs ? title.differing : title.shared, part.text);
+    if (part.differs) add(title.brief, part.brief.empty() ? part.text : part.brief);
   }
-  return differing + (differing.empty() || shared.empty() ? "" : " · ") + shared;
+  if (title.differing.empty()) title.differing = title.brief = std::exchange(title.shared, {});
+  return title;
 }
+
+std::string PictureTitle::text() const { return differing + (shared.empty() ? "" : " · ") + shared; }
 
 std::string state_text(const RenderStatus& status, const RenderResult* result) {
   switch (status.state) {

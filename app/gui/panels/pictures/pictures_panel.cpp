@@ -13,6 +13,7 @@
 #include "gui/panels/pictures/legend_range.h"
 #include "gui/panels/pictures/picture_frame.h"
 #include "gui/panels/pictures/picture_gizmo.h"
+#include "gui/panels/pictures/picture_text.h"
 #include "gui/panels/pictures/slow_strip.h"
 #include "gui/platform/imgui_version.h"
 #include "gui/widgets/redraw.h"
@@ -228,6 +229,25 @@ Framed framed(const Area& area, PictureCaptions captions, int columns = 1) {
   return {{area.min, {area.max.x, top}}, {{area.min.x, top}, {area.max.x, bottom}}, {{area.min.x, bottom}, area.max}};
 }
 
+constexpr float least_block = 0.6f;      // of the height that there is: a wide picture keeps room to be zoomed into
+constexpr double narrowest_title = 380;  // at scale 1
+
+/// Title, picture and footer as one block in the middle of what framed() leaves to them, as wide as the picture.
+Framed as_block(Framed in, Vec2i picture_size, PictureFit fit) {
+  const double zoom = fitted_as(fit, picture_size, in.picture).zoom;
+  const float room = in.picture.height(), width = in.picture.width();
+  const float height = std::ceil(static_cast<float>(zoom * picture_size.y));
+  const float spare = std::floor((room - std::clamp(height, room * least_block, std::max(room, 0.f))) / 2);
+  const float title = std::min(std::max(static_cast<float>(zoom * picture_size.x), px(narrowest_title)), width);
+  const float side = std::floor((width - title) / 2);
+  if (picture_size.x <= 0 || spare <= 0) return in;
+  in.title = {{in.title.min.x + side, in.title.min.y + spare}, {in.title.max.x - side, in.title.max.y + spare}};
+  in.footer = {{in.footer.min.x + side, in.footer.min.y - spare}, {in.footer.max.x - side, in.footer.max.y - spare}};
+  in.picture.min.y += spare;
+  in.picture.max.y -= spare;
+  return in;
+}
+
 struct Halves {
   Area first, second;
 };
@@ -250,17 +270,39 @@ double pixels_of(Vec2i picture_size, const Area& area, PictureFit fit) {
   return zoom * picture_size.x * zoom * picture_size.y;
 }
 
+/// "31 % of pixels differ"; empty while one of the pictures is still being made, or shows no colours.
+std::string difference_text(Session& session, PicturesState& state) {
+  for (const Side side : both_sides)
+    if (session.shown(side) != ShownChannel::colour || slow_state(session, side) ||
+        (!(side == Side::b && session.picture_b()) && session.renderer(side).status().state != RenderState::done))
+      return {};
+  const Image<Rgb8>&a = state.pictures[0].levels, &b = state.pictures[1].levels;
+  if (a.empty() || a.width() != b.width() || a.height() != b.height()) return {};
+  if (std::exchange(state.compared, state.versions) != state.versions) {
+    std::size_t count = 0;
+    for (int y = 0; y < a.height(); ++y)
+      for (int x = 0; x < a.width(); ++x) count += a.at(x, y) != b.at(x, y) ? 1 : 0;
+    state.differing = static_cast<double>(count) / (static_cast<double>(a.width()) * a.height());
+  }
+  if (state.differing == 0) return "the same picture as A";
+  return fmt::format("{} % of pixels differ", three_digits(100 * state.differing));
+}
+
 void below(Session& session, PicturesState& state, Side side, const Area& footer, const std::string& lead = {}) {
   auto& note = state.notes[index_of(side)];
   note.reset();
   if (state.hidden[index_of(side)]) return;  // its counters would answer the question as well
   note = picture_note(footer, state.captions);
   if (note) note = left_out_line(session, side, *note);
-  picture_footer(session, side, state.changes[index_of(side)], footer, state.captions, lead);
+  const std::string beside = side == Side::b && lead.empty() && state.compare != CompareMode::only_b
+                                 ? difference_text(session, state)
+                                 : std::string();
+  picture_footer(session, side, state.changes[index_of(side)], footer, state.captions, lead, beside);
 }
 
 void one_side(Session& session, PicturesState& state, Side side, const Area& area) {
-  const auto [title_row, inner, footer] = framed(area, state.captions);
+  const auto [title_row, inner, footer] =
+      as_block(framed(area, state.captions), state.pictures[index_of(side)].size(), state.fit);
   state.transform = current_transform(session.document(), state.pictures[index_of(side)].size(), inner, state.fit);
   const Side shown = state.flip ? other_side(side) : side;
   title(session, state, shown, title_row);
@@ -269,12 +311,13 @@ void one_side(Session& session, PicturesState& state, Side side, const Area& are
 }
 
 void split_view(Session& session, PicturesState& state, const Area& area) {
-  const auto [title_row, inner, footer] = framed(area, state.captions, 2);
+  const auto [title_row, inner, footer] =
+      as_block(framed(area, state.captions, 2), state.pictures[0].size(), state.fit);
   state.transform = current_transform(session.document(), state.pictures[0].size(), inner, state.fit);
   const Area whole = state.transform.picture_area(state.pictures[0].size(), inner);
   const float low = std::max(whole.min.x, inner.min.x), high = std::min(whole.max.x, inner.max.x);
   const float at = std::round(low + (high - low) * static_cast<float>(session.document().split));
-  const float middle = (area.min.x + area.max.x) / 2, space = px(gap) / 2;
+  const float middle = (title_row.min.x + title_row.max.x) / 2, space = px(gap) / 2;
   const Side left = state.flip ? Side::b : Side::a;
   title(session, state, left, {title_row.min, {middle - space, title_row.max.y}});
   title(session, state, other_side(left), {{middle + space, title_row.min.y}, title_row.max});
@@ -379,7 +422,7 @@ void pictures_panel(Session& session, PicturesState& state, const Area& area, co
     state.fit = PictureFit::even_pixels;
     if (2 * pixels_of(size, each, PictureFit::even_pixels) < place.least_pixels) state.fit = PictureFit::whole_place;
     const double two = 2 * pixels_of(size, each, state.fit);
-    if (two < place.least_pixels && pixels_of(size, one, state.fit) > two) {
+    if (place.two == TwoPictures::may_share && two < place.least_pixels && pixels_of(size, one, state.fit) > two) {
       state.compare = CompareMode::split;
       split_view(session, state, area);
       break;

@@ -20,10 +20,14 @@
 
 namespace ps::gui {
 
+/// Whether two pictures side by side may give way to one that they share, where they would be small.
+enum class TwoPictures { may_share, stay };
+
 /// The place that pictures are given.
 struct PicturePlace {
   PictureCaptions captions = PictureCaptions::full;
   double least_pixels = 0;  ///< of the window, that both together shall take
+  TwoPictures two = TwoPictures::may_share;
 };
 
 /// What the mouse is over.
@@ -57,6 +61,8 @@ struct PicturesState {
   std::array<std::uint64_t, 2> taken{};  ///< the versions that `before` knows of
   std::array<CaptionChange, 2> changes;  ///< of the counts below the pictures
   SlowMotionState slow;
+  std::array<std::uint64_t, 2> compared{};  ///< the versions that `differing` counts
+  double differing = 0;                     ///< share of the pixels whose levels are not the same in A and B
   ShownPicture difference;
   bool difference_stale = true;
   bool difference_fresh = false;      ///< made since its hash was taken
@@ -105,7 +111,8 @@ struct PicturesState {
 void collect_pictures(Session& session, PicturesState& state);
 
 /// Both pictures as the document's compare mode has them, with titles, times and everything the mouse can do in them.
-/// Where two side by side would take fewer than place.least_pixels and one takes more, A and B share it with a divider.
+/// Where two side by side would take fewer than place.least_pixels and one takes more, A and B may share it with a
+/// divider.
 void pictures_panel(Session& session, PicturesState& state, const Area& area, const PicturePlace& place = {});
 
 /// How many pixels of the window show rendered pixels of A or B: without captions and margins, what both show counted

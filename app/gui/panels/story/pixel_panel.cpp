@@ -9,6 +9,7 @@
 #include "engine/screen_names.h"
 #include "gui/panels/pictures/picture_text.h"
 #include "gui/panels/story/ledger_view.h"
+#include "gui/session/pixel_words.h"
 #include "gui/session/select_event.h"
 #include "gui/widgets/draw.h"
 #include "inspect/story_json.h"
@@ -21,22 +22,18 @@ std::string prefix(Side side) { return side == Side::a ? "a" : "b"; }
 
 ImVec2 line_square() { return {ImGui::GetTextLineHeight(), ImGui::GetTextLineHeight()}; }
 
-/// For numbers: small print where they would be cut otherwise.
-Face fitting_face(const std::string& text) {
-  const FontScope font(Face::mono);
-  return ImGui::CalcTextSize(text.c_str()).x <= ImGui::GetContentRegionAvail().x ? Face::mono : Face::mono_small;
-}
-
-/// The pixel in both ways of counting, with the colours it has in A and B.
+/// The pixel in the picture's way of counting, the book's in the tooltip.
 void place(Session& session, Vec2i pixel) {
   const View view = session.view();
   const Vec2i book = book_pixel(pixel.x, pixel.y, view.width, view.height);
-  const std::string array = fmt::format("array ({}, {})", pixel.x, pixel.y);
-  const std::string of_book = fmt::format("book ({}, {})", book.x, book.y);
-  const FontScope font(fitting_face(array + "\n" + of_book));
-  const bool one_line = ImGui::CalcTextSize((array + "   " + of_book).c_str()).x <= ImGui::GetContentRegionAvail().x;
-  value_text("pixel", array + (one_line ? "   " : "\n") + of_book);
-  tooltip("array: column and row from the top left.\nbook: x to the right and y upwards from the centre.");
+  {
+    const FontScope font(Face::mono);
+    value_paragraph("pixel", pixel_words(session, pixel));
+  }
+  tooltip(
+      fmt::format("Column and row from the top left, the first is 0.\nIn the book's canvas ({}, {}): x to the right "
+                  "and y upwards from the centre.",
+                  book.x, book.y));
 }
 
 void verdict(const PixelStory& story, Side side) {
@@ -198,8 +195,8 @@ void both(Session& session, PixelPanelState& state, const std::array<std::shared
 void nothing_picked(Session& session) {
   ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
   ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(session.has_scene() ? "Click a pixel in either picture to see how it got its colour.\n\n"
-                                               "The arrow keys then go from pixel to pixel."
+  ImGui::TextUnformatted(session.has_scene() ? "Click any pixel, in either picture: here stands how it got "
+                                               "its colour.\n\nThe arrow keys then go from pixel to pixel."
                                              : "Nothing is open.");
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();

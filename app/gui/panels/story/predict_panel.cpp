@@ -128,7 +128,7 @@ bool has_place(const Document& document) {
   const bool alone = !layout.filled.empty();
   switch (document.mode) {
   case ScreenMode::explore:
-    return alone ? layout.filled == region_names::right : layout.panels && layout.pixel_open;
+    return alone ? layout.filled == region_names::right : layout.panels && layout.story_open;
   case ScreenMode::lesson:
   case ScreenMode::study:
     return !document.lesson.empty() && layout.panels && (!alone || layout.filled == region_names::lesson);
@@ -172,7 +172,7 @@ void ask_about_pixels(Session& session, PredictState& state) {
   if (has_place(session.document())) return;
   session.navigate([](Document& document) {
     document.mode = ScreenMode::explore;
-    document.layout.panels = document.layout.pixel_open = true;
+    document.layout.panels = document.layout.story_open = true;
     document.layout.filled.clear();
   });
 }
