@@ -22,7 +22,7 @@ struct NeedsArguments {
   double tolerance = NeedsRequest{}.tolerance;
   int repeats = NeedsRequest{}.repeats;
   bool json = false, model = false;
-  std::string views, save;
+  std::string views, sheet, save;
 };
 
 std::string changes(const Settings& from, const Settings& to) {
@@ -98,11 +98,12 @@ void print_text(const Document& document, const Needs& needs) {
 }
 
 int run_needs(const NeedsArguments& arguments) {
-  if (!arguments.model && !(arguments.views.empty() && arguments.save.empty()))
-    throw InputError("--views and --save: they need --model");
+  if (!arguments.model && !(arguments.views.empty() && arguments.sheet.empty() && arguments.save.empty()))
+    throw InputError("--views, --sheet and --save: they need --model");
   const Document document = load_document(arguments.scene);
   if (arguments.model)
-    return run_model_needs(document, {arguments.tolerance, arguments.views, arguments.save, arguments.json});
+    return run_model_needs(document,
+                           {arguments.tolerance, arguments.views, arguments.sheet, arguments.save, arguments.json});
   NeedsRequest request;
   request.scene = document.scene;
   request.view = view_of(document);
@@ -138,6 +139,10 @@ void add_needs_command(CLI::App& app, Action& chosen) {
                    "with --model: views that the reduced scene must hold for, N of them around what is seen, or a file "
                    "with a camera on each line; default: the scene's own")
       ->type_name("orbit:N|FILE");
+  command
+      ->add_option("--sheet", arguments->sheet,
+                   "with --model: one picture of full and reduced scene side by side with their difference")
+      ->type_name("FILE.png");
   command->add_option("--save", arguments->save, "with --model: write the reduced scene, read it again and check it")
       ->type_name("FILE.scene");
   command->add_flag("--json", arguments->json, "as JSON");

@@ -13,6 +13,7 @@
 #include "base/read_file.h"
 #include "cli/interrupt.h"
 #include "cli/output_file.h"
+#include "image/file.h"
 #include "options/scene_settings.h"
 #include "render/provenance.h"
 #include "scene/load.h"
@@ -153,6 +154,10 @@ int run_model_needs(const Document& document, const ModelArguments& arguments) {
       throw InputError(fmt::format("--save: found '{}', expected a .scene file", arguments.save));
     require_no_input(arguments.save, files_of(document.scene));
   }
+  if (!arguments.sheet.empty()) {
+    require_output_file(arguments.sheet, OutputKind::levels);
+    require_no_input(arguments.sheet, files_of(document.scene));
+  }
   StudyControl control;
   forward_interrupts(control.progress());
   ModelRequest request;
@@ -165,6 +170,8 @@ int run_model_needs(const Document& document, const ModelArguments& arguments) {
     if (shown) fmt::print(stderr, "\r{} pictures drawn   ", status.done);
   });
   if (shown) fmt::print(stderr, "\n");
+  if (!arguments.sheet.empty())
+    save_image(arguments.sheet, before_and_after(request, needs, control), {image_texts(provenance_of(request.base))});
   std::optional<Checked> checked;
   if (!arguments.save.empty()) checked = save_and_check(request, needs, arguments.save, control);
   if (arguments.json)

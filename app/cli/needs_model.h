@@ -9,6 +9,7 @@ namespace ps::cli {
 struct ModelArguments {
   double tolerance = 0;
   std::string views;  ///< "orbit:N" or a file with a camera on each line; empty: the document's view
+  std::string sheet;  ///< a picture file for before, after and difference; empty: none
   std::string save;   ///< a .scene file for the reduced scene; empty: none
   bool json = false;
 };

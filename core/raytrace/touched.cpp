@@ -37,8 +37,9 @@ void touch_tile(const Tracer<Real, TouchRecorder>& tracer, const SamplingPlan& p
 template <class Real>
 Touched touched_in(const Scene& scene, const View& view, const Settings& settings, Prepared& prepared,
                    Progress& progress, WorkerPriority priority) {
-  const TraceInputs<Real> inputs = make_trace_inputs<Real>(scene, view, settings, prepared);
-  std::optional<WideInputs> wide;  // the SIMD search, where this picture's path may use it
+  TraceInputs<Real> inputs = make_trace_inputs<Real>(scene, view, settings, prepared);
+  inputs.settings.shadow_any_hit = false;  // which one is found first depends on the processor's tree
+  std::optional<WideInputs> wide;          // the SIMD search, where this picture's path may use it
   if constexpr (std::is_same_v<Real, float>) wide = wide_inputs(scene, inputs, prepared);
   SamplingPlan plan = sampling_plan(settings);
   if (plan.mode == SamplingMode::adaptive) plan.mode = SamplingMode::many;

@@ -9,6 +9,7 @@
 
 #include "frame/display_frame.h"
 #include "image/display.h"
+#include "image/file.h"
 #include "image/metrics.h"
 #include "options/renderer_kind.h"
 #include "options/scene_settings.h"
@@ -282,12 +283,16 @@ TEST(ModelNeeds, NoReducedSceneLeavesTheTolerance) {
 
 TEST(ModelNeeds, TheSavedSceneIsReadBackAndHolds) {
   const test::ScratchFolder scratch;
-  const std::string file = scratch.file("less.scene");
-  const auto result = test::run_cli({"needs", "cgfs/crates", "--model", "--size", "64x64", "--save", file, "--json"});
+  const std::string file = scratch.file("less.scene"), sheet = scratch.file("less.png");
+  const auto result =
+      test::run_cli({"needs", "cgfs/crates", "--model", "--size", "64x64", "--save", file, "--sheet", sheet, "--json"});
   ASSERT_EQ(result.status, 0) << result.err;
   const auto json = nlohmann::json::parse(result.out);
   EXPECT_TRUE(json.at("checked").at("holds").get<bool>());
   EXPECT_LE(json.at("bytes"), json.at("default_bytes"));
+  const Image<Rgb8> sides = load_levels(sheet);
+  EXPECT_GE(sides.width(), 3 * 64);
+  EXPECT_GE(sides.height(), 2 * 64) << "by rays and by fragments";
   const Scene saved = load_scene(file);
   EXPECT_EQ(saved.canvas_width, 64);
   EXPECT_EQ(test::run_cli({"needs", "cgfs/crates", "--views", "orbit:3"}).status, 2) << "without --model";

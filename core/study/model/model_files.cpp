@@ -6,10 +6,13 @@
 #include <fmt/format.h>
 
 #include "base/atomic_file.h"
+#include "frame/display_frame.h"
+#include "image/difference.h"
 #include "image/display.h"
 #include "image/file.h"
 #include "options/scene_settings.h"
 #include "scene/scene_writer.h"
+#include "study/picture_sheet.h"
 
 namespace ps {
 namespace {
@@ -42,7 +45,32 @@ class FilesBeside {
   std::set<std::string> taken_;
 };
 
+Image<Rgb8> drawn(const Scene& scene, const View& view, const Settings& settings, WorkerPriority priority,
+                  StudyControl& control) {
+  control.wait_here();
+  Prepared prepared;
+  RenderRequest how;
+  how.priority = priority;
+  return display_frame(render(scene, view, settings, how, prepared, control.progress()), settings);
+}
+
 }  // namespace
+
+Image<Rgb8> before_and_after(const ModelRequest& request, const ModelNeeds& needs, StudyControl& control) {
+  std::vector<std::vector<Image<Rgb8>>> rows;
+  for (const View& view : request.views)
+    for (const auto& by : {model::HeldPictures::by_rays, model::HeldPictures::by_fragments}) {
+      Image<Rgb8> full = drawn(request.scene, view, by(request.base), request.priority, control);
+      Image<Rgb8> less = drawn(needs.scene, view, by(needs.settings), request.priority, control);
+      const DifferenceNumbers numbers = difference_numbers(difference_values(full, less, DifferenceMode::absolute));
+      Image<Rgb8> apart = difference_picture(full, less, {gain_that_shows(numbers, DifferenceMode::absolute)});
+      std::vector<Image<Rgb8>>& row = rows.emplace_back();
+      row.push_back(std::move(full));
+      row.push_back(std::move(less));
+      row.push_back(std::move(apart));
+    }
+  return picture_sheet(rows);
+}
 
 std::string obj_text(const Mesh& mesh) {
   std::string text;
