@@ -58,6 +58,9 @@ void print_blocks(const std::vector<TextBlock>& blocks) {
     case BlockKind::numbered:
       fmt::print("\n{}. {}\n", block.number, plain_text(block));
       break;
+    case BlockKind::figure:
+      fmt::print("\n[Figure: {}]\n", plain_text(block));
+      break;
     }
   }
 }

@@ -18,6 +18,7 @@ constexpr std::string_view style_sheet =
     ".pictures{display:flex;gap:1em;margin:.6em 0}figure{flex:1;margin:0;min-width:0}"
     "img{display:block;width:auto;height:auto;max-width:100%;box-sizing:border-box;border:1px solid #bbb;"
     "image-rendering:pixelated}"
+    ".drawing{margin:.6em 0;break-inside:avoid}.drawing svg{display:block;max-width:100%;height:auto;margin:0 auto}"
     ".covered{border:1px solid #999;padding:20% 1em;text-align:center}"
     ".box{background:#eee;padding:.3em 1em;margin:.8em 0;font-size:90%}.box p,.box ul{margin:.3em 0}"
     ".look{border-left:3px solid #999;padding-left:1em}"

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "engine/figure.h"
 #include "engine/handout.h"
 #include "engine/maths_writers.h"
 #include "image/svg.h"
@@ -48,6 +49,7 @@ std::string_view list_of(BlockKind kind) {
     return "ol";
   case BlockKind::paragraph:
   case BlockKind::heading:
+  case BlockKind::figure:
     break;
   }
   return {};
@@ -67,6 +69,11 @@ std::string block_html(const std::vector<TextBlock>& blocks) {
       else if (!list.empty())
         html += "<ul>\n";
       open = list;
+    }
+    if (block.figure) {
+      html += fmt::format("<figure class=\"drawing\" role=\"img\" aria-label=\"{}\">{}</figure>\n",
+                          xml_escaped(block.figure->description), figure_svg(*block.figure));
+      continue;
     }
     std::string inside;
     for (const TextSpan& span : block.spans) inside += span_html(span);

@@ -2,6 +2,7 @@
 
 #include "base/foreign_text.h"
 #include "engine/block.h"
+#include "engine/figure.h"
 #include "engine/lesson.h"
 #include "engine/markdown.h"
 #include "engine/place_in_text.h"
@@ -24,7 +25,7 @@ class LessonParser {
       if (lesson_.steps.empty() && text.starts_with(">"))
         throw InputError(place(), "a hint before the first step", "hints inside steps");
       text_ += line;
-    } else if ((block_ == "notes" || block_ == "goals") && text != "```") {
+    } else if ((block_ == "notes" || block_ == "goals" || block_ == "figure") && text != "```") {
       prose_ += line;
       prose_ += '\n';
     } else {
@@ -67,9 +68,9 @@ class LessonParser {
       block_ = without_blanks(text.substr(3));
       block_place_ = place();
       if (block_ != "settings" && block_ != "claim" && block_ != "question" && block_ != "notes" && block_ != "goals" &&
-          block_ != "task")
+          block_ != "task" && block_ != "figure")
         throw InputError(place(), fmt::format("a block named '{}'", block_),
-                         "```settings, ```goals, ```claim, ```question, ```task or ```notes");
+                         "```settings, ```goals, ```figure, ```claim, ```question, ```task or ```notes");
     } else if (text.starts_with("## ")) {
       begin_step(std::string(without_blanks(text.substr(3))));
     } else if (text.starts_with("# ")) {
@@ -87,16 +88,18 @@ class LessonParser {
   /// The text that was collected belongs to the step before, or to the lesson as a whole.
   void end_text() {
     StepText text = read_markdown(text_, file_, text_line_);
-    if (lesson_.steps.empty()) {
-      lesson_.blocks = std::move(text.blocks);
-    } else {
-      lesson_.steps.back().blocks = std::move(text.blocks);
-      lesson_.steps.back().hints = std::move(text.hints);
+    std::vector<TextBlock>& blocks = open_blocks();
+    blocks.insert(blocks.end(), text.blocks.begin(), text.blocks.end());
+    if (!lesson_.steps.empty()) {
+      std::vector<TextBlock>& hints = lesson_.steps.back().hints;
+      hints.insert(hints.end(), text.hints.begin(), text.hints.end());
     }
     step_links_.insert(step_links_.end(), text.step_links.begin(), text.step_links.end());
     text_.clear();
     text_line_ = line_;
   }
+
+  std::vector<TextBlock>& open_blocks() { return lesson_.steps.empty() ? lesson_.blocks : lesson_.steps.back().blocks; }
 
   void begin_step(std::string title) {
     end_text();
@@ -130,6 +133,8 @@ class LessonParser {
       end_notes();
     } else if (block_ == "goals") {
       end_goals();
+    } else if (block_ == "figure") {
+      end_figure();
     } else {
       LessonState& state = in_step ? lesson_.steps.back().state : common_;
       for (const BlockLine& line : lines_)
@@ -142,6 +147,16 @@ class LessonParser {
     }
     block_.clear();
     lines_.clear();
+  }
+
+  /// A figure stands between the text before and behind it.
+  void end_figure() {
+    end_text();
+    auto figure = std::make_shared<const Figure>(read_figure(prose_, file_, block_place_.line + 1));
+    prose_.clear();
+    TextBlock block{.kind = BlockKind::figure, .spans = {{figure->description}}};
+    block.figure = std::move(figure);
+    open_blocks().push_back(std::move(block));
   }
 
   void end_goals() {

@@ -7,7 +7,7 @@
 #include "base/check.h"
 
 /// Formulas of lessons as trees. They are written in a subset of LaTeX, which chapters/README.md describes; the window
-/// typesets them (app/gui/widgets/maths_layout.h), other writers are declared in engine/maths_writers.h.
+/// typesets them (maths_layout.h), other writers are declared in engine/maths_writers.h.
 
 namespace ps {
 

@@ -24,15 +24,15 @@ constexpr std::array<std::string_view, 19> structures{"frac", "sqrt", "vec",   "
                                                       "text", "left", "right", "begin", "end", "operatorname", ",",
                                                       ";",    " ",    "quad",  "|",     "\\"};
 
-struct Environment {
+struct MathsEnvironment {
   std::string_view name, opening, closing;
   MathsAlignment alignment = MathsAlignment::centre;
 };
-constexpr std::array<Environment, 5> environments{{{"matrix", "", ""},
-                                                   {"pmatrix", "(", ")"},
-                                                   {"bmatrix", "[", "]"},
-                                                   {"vmatrix", "|", "|"},
-                                                   {"cases", "{", "", MathsAlignment::left}}};
+constexpr std::array<MathsEnvironment, 5> environments{{{"matrix", "", ""},
+                                                        {"pmatrix", "(", ")"},
+                                                        {"bmatrix", "[", "]"},
+                                                        {"vmatrix", "|", "|"},
+                                                        {"cases", "{", "", MathsAlignment::left}}};
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
@@ -323,9 +323,9 @@ class FormulaReader {
     return {std::move(fence)};
   }
 
-  const Environment& environment_named(std::string_view name, std::size_t at) const {
+  const MathsEnvironment& environment_named(std::string_view name, std::size_t at) const {
     std::vector<std::string_view> known;
-    for (const Environment& each : environments) {
+    for (const MathsEnvironment& each : environments) {
       if (each.name == name) return each;
       known.push_back(each.name);
     }
@@ -335,7 +335,7 @@ class FormulaReader {
   MathsNode read_matrix(std::size_t begin) {
     const std::size_t name_at = at_;
     const std::string_view name = read_verbatim("begin");
-    const Environment& environment = environment_named(name, name_at);
+    const MathsEnvironment& environment = environment_named(name, name_at);
     MathsMatrix matrix{std::string(environment.opening), std::string(environment.closing), environment.alignment, {}};
     const Nesting nesting(*this, begin);
     const bool outer = std::exchange(in_degree_, false);

@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,8 @@
 /// The text of a lesson as a value: blocks of spans, without a widget. chapters/README.md describes how it is written.
 
 namespace ps {
+
+struct Figure;
 
 enum class TextStyle { plain, emphasis, strong, code };
 
@@ -33,12 +36,13 @@ struct TextSpan {
   bool operator==(const TextSpan&) const = default;
 };
 
-enum class BlockKind { paragraph, heading, bullet, numbered };
+enum class BlockKind { paragraph, heading, bullet, numbered, figure };
 
 struct TextBlock {
   BlockKind kind = BlockKind::paragraph;
   int number = 0;  ///< of a numbered block
   std::vector<TextSpan> spans;
+  std::shared_ptr<const Figure> figure = {};  ///< of a figure (engine/figure.h), whose description is the text
   bool operator==(const TextBlock&) const = default;
 };
 

@@ -68,9 +68,9 @@ TEST(LessonColumn, ReadingOnComesToTheToolBehindTheLastPage) {
   std::string pages;
   expect_plays(
       "reading",
-      "click question/skip\nwait frames 6\nexpect lesson/pages 2\nexpect lesson/page 1\nkey PageDown\nwait frames "
-      "4\nexpect lesson/page 2\nexpect lesson/column text\nkey PageDown\nwait frames 4\nexpect lesson/column "
-      "tool\nkey PageUp\nwait frames 4\nexpect lesson/column text\nexpect lesson/page 2\nkey PageDown\nwait "
+      "click question/skip\nwait frames 6\nexpect lesson/pages 3\nexpect lesson/page 2\nkey PageDown\nwait frames "
+      "4\nexpect lesson/page 3\nexpect lesson/column text\nkey PageDown\nwait frames 4\nexpect lesson/column "
+      "tool\nkey PageUp\nwait frames 4\nexpect lesson/column text\nexpect lesson/page 3\nkey PageDown\nwait "
       "frames 4\nexpect lesson/column tool\nexpect step 2\nkey PageDown\nwait frames 4\nexpect "
       "step 3\nexpect lesson/column text\n",
       large + "study_speed_and_accuracy/2");

@@ -1,5 +1,5 @@
 // Typesetting of formulas as geometry, with a font whose letters are boxes: what lies above, below, beside what.
-#include "gui/widgets/maths_layout.h"
+#include "engine/maths_layout.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 namespace maths_layout_test {
 namespace {
 
-using namespace ps::gui;
+using namespace ps;
 using ps::Formula;
 using ps::FormulaForm;
 using ps::MathsStyle;

@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "base/resources.h"
+#include "engine/maths_shapes.h"
 #include "engine/maths_signs.h"
 #include "gui/program.h"
 #include "gui/theme/contrast.h"
 #include "gui/widgets/maths_draw.h"
-#include "gui/widgets/maths_shapes.h"
 #include "options/option.h"
 #include "study/chart_style.h"
 
@@ -182,7 +182,7 @@ TEST_F(Glyphs, OfTheCommandsOfFormulas) {
     const MathsFaces faces = maths_faces(text);
     for (const ps::SignCommand& command : ps::sign_commands()) {
       const std::string& sign = command.sign.text;
-      if (always_drawn(sign)) continue;
+      if (ps::always_drawn(sign)) continue;
       for (const Face face : command.sign.style == ps::MathsStyle::italic
                                  ? std::vector{faces.italic, faces.script_italic}
                                  : std::vector{faces.upright, faces.script})

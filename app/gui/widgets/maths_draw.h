@@ -1,8 +1,8 @@
 #pragma once
 #include <imgui.h>
 
+#include "engine/maths_box.h"
 #include "gui/theme/theme.h"
-#include "gui/widgets/maths_box.h"
 
 namespace ps::gui {
 

@@ -8,6 +8,7 @@
 #include "gui/panels/lesson/text_pages.h"
 #include "gui/panels/lesson/text_view.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/screen_painter.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -51,6 +52,22 @@ std::string words_of_line(const TextLine& line) {
   return words;
 }
 
+/// A figure, large and on a plate of its own above the strip, whose upper edge is at `low`.
+void draw_projected_figure(const Figure& figure, float low) {
+  constexpr float share_of_width = 0.55f, share_of_room = 0.92f;
+  const ImVec2 window = ImGui::GetMainViewport()->Size;
+  ImDrawList& list = *ImGui::GetForegroundDrawList();
+  ScreenPainter painter(list);
+  const float edge = px(16);
+  float width = share_of_width * window.x;
+  const auto height_at = [&] { return static_cast<float>(figure_height(painter, figure, width)); };
+  while (width > px(200) && height_at() + 2 * edge > share_of_room * low) width *= 0.95f;
+  const float height = height_at(), x = (window.x - width) / 2, y = low - height - 2 * edge;
+  list.AddRectFilled({x - edge, y - edge}, {x + width + edge, y + height + edge}, colour_u32(palette().panel), px(6));
+  list.AddRect({x - edge, y - edge}, {x + width + edge, y + height + edge}, colour_u32(palette().line_strong), px(6));
+  draw_figure(painter, figure, {x, y}, width);
+}
+
 }  // namespace
 
 float caption_height() { return lines_of_page * text_line_height(Face::caption) + px(40); }
@@ -85,12 +102,15 @@ void caption_strip(Session& session, LessonShelf& shelf) {
   ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 from = at;
   std::string shown;
+  const Figure* figure = nullptr;
   for (std::size_t i = starts[page]; i < end; ++i) {
     ImGui::SetCursorScreenPos(at);
     draw_line(session, lines[i]);
+    if (lines[i].figure) figure = lines[i].figure;
     at.y += lines[i].height;
     shown += (shown.empty() ? "" : "\n") + words_of_line(lines[i]);
   }
+  if (figure) draw_projected_figure(*figure, ImGui::GetWindowPos().y);
   controls().record("text", from, {from.x + room.x, at.y}, shown);
 }
 

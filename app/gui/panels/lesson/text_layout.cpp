@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/maths_layout.h"
 #include "gui/panels/lesson/option_field.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/maths_draw.h"
-#include "gui/widgets/maths_layout.h"
+#include "gui/widgets/screen_painter.h"
 
 namespace ps::gui {
 namespace {
@@ -158,6 +159,7 @@ std::string mark_of(const TextBlock& block) {
   switch (block.kind) {
   case BlockKind::paragraph:
   case BlockKind::heading:
+  case BlockKind::figure:
     return {};
   case BlockKind::bullet:
     return "•";
@@ -186,6 +188,12 @@ void lay_out(const TextBlock& block, std::string_view mark, Face face, float wid
   line.begins_block = true;
   line.mark = mark;
   line.gap = lines.empty() ? 0 : gap_before(block.kind, !follows_item);
+  line.figure = block.figure.get();
+  if (line.figure && face != Face::caption) {
+    const ScreenPainter painter(*ImGui::GetWindowDrawList());
+    line.height = static_cast<float>(figure_height(painter, *line.figure, width));
+    return lines.push_back(std::move(line));
+  }
   float x = indent;
   const auto end_line = [&] {
     make_room(line, face, height);
@@ -193,6 +201,7 @@ void lay_out(const TextBlock& block, std::string_view mark, Face face, float wid
     line.stays_with_next = block.kind == BlockKind::heading || face == Face::heading;
     lines.push_back(std::move(line));
     line = {};
+    line.figure = block.figure.get();
     x = indent;
   };
   for (const Word& word : words_of(block, face, width - indent)) {

@@ -5,9 +5,10 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/figure.h"
+#include "engine/maths_box.h"
 #include "engine/text.h"
 #include "gui/theme/theme.h"
-#include "gui/widgets/maths_box.h"
 #include "options/waking.h"
 
 namespace ps::gui {
@@ -39,6 +40,7 @@ struct TextLine {
   bool begins_block = false;
   bool stays_with_next = false;      ///< of a heading, and of what needs are said of
   std::optional<ControlNeed> need;   ///< in place of pieces
+  const Figure* figure = nullptr;    ///< in place of pieces; beside a caption, which has its words
   std::optional<std::size_t> claim;  ///< in place of pieces: what is measured for this claim of the step
   std::optional<bool> judged;        ///< of an answer: a bar beside it shows whether it was right
   bool asks_again = false;           ///< in place of pieces: the button that opens the step's question again

@@ -12,6 +12,7 @@
 #include "gui/panels/lesson/text_needs.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/maths_draw.h"
+#include "gui/widgets/screen_painter.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -113,6 +114,17 @@ void draw_formula(const TextPiece& piece, ImVec2 at) {
              palette().text);
 }
 
+/// Over the whole column. A pointer over it shows its description.
+void draw_figure_line(const Figure& figure, ImVec2 at, float height) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  ScreenPainter painter(*ImGui::GetWindowDrawList());
+  draw_figure(painter, figure, paint_place(at), width);
+  ImGui::Dummy({width, height});
+  tooltip(figure.description);
+  controls().record("figure", figure.description);
+  ImGui::SetCursorScreenPos({at.x, at.y + height});
+}
+
 }  // namespace
 
 std::optional<LinkTarget> target_of(const TextSpan& span) {
@@ -132,6 +144,10 @@ std::optional<LinkTarget> draw_line(Session& session, const TextLine& line) {
   if (line.need) {
     draw_need(session, *line.need, ImGui::GetContentRegionAvail().x);
     ImGui::SetCursorScreenPos({at.x, at.y + line.height});
+    return {};
+  }
+  if (line.figure && line.pieces.empty()) {
+    draw_figure_line(*line.figure, at, line.height);
     return {};
   }
   if (!line.mark.empty()) {

@@ -1,9 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "gui/widgets/maths_box.h"
+#include "engine/maths_box.h"
 
-namespace ps::gui {
+namespace ps {
 
 /// A formula in a text as boxes side by side with the space of a word between them: lines may end there,
 /// which is behind relations, and where a part is wider than `width`, behind binary signs.
@@ -19,4 +19,4 @@ float maths_axis(const MathsFont& font, MathsSize size);
 /// Thickness of bars: whole pixels.
 float maths_rule(const MathsFont& font);
 
-}  // namespace ps::gui
+}  // namespace ps

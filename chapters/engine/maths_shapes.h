@@ -1,9 +1,9 @@
 #pragma once
 #include <string_view>
 
-#include "gui/widgets/maths_box.h"
+#include "engine/maths_box.h"
 
-namespace ps::gui {
+namespace ps {
 
 enum class DelimiterEnd { opening, closing };
 
@@ -23,4 +23,4 @@ MathsBox drawn_radical(float em, float above, float below);
 /// An accent of this width whose lower edge is at y = 0.
 MathsBox drawn_accent(MathsAccent accent, float em, float width, float rule);
 
-}  // namespace ps::gui
+}  // namespace ps

@@ -7,7 +7,7 @@
 
 /// Typeset formulas as geometry: what lies where, without a window. Lengths are window pixels, x to the right from the
 /// left end, y down from the baseline.
-namespace ps::gui {
+namespace ps {
 
 /// The two sizes in a formula: that of the text around it, and that of scripts.
 enum class MathsSize { text, script };
@@ -61,4 +61,4 @@ struct MathsBox {
   void add(const MathsBox& other, float x, float y = 0);
 };
 
-}  // namespace ps::gui
+}  // namespace ps

@@ -1,12 +1,12 @@
-#include "gui/widgets/maths_layout.h"
+#include "engine/maths_layout.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "gui/widgets/maths_shapes.h"
+#include "engine/maths_shapes.h"
 
-namespace ps::gui {
+namespace ps {
 namespace {
 
 // Shares of the em of the text, after The TeXbook, appendix G, for a sans serif font.
@@ -22,12 +22,12 @@ constexpr float column_gap = 0.9f, row_gap = 0.3f, line_of_row = 1.25f;
 
 enum class Setting { in_text, displayed };
 
-struct Style {
+struct SetStyle {
   Setting setting = Setting::in_text;
   MathsSize size = MathsSize::text;
 
-  Style script() const { return {Setting::in_text, MathsSize::script}; }
-  Style cell() const { return {Setting::in_text, size}; }
+  SetStyle script() const { return {Setting::in_text, MathsSize::script}; }
+  SetStyle cell() const { return {Setting::in_text, size}; }
 };
 
 float whole(float length) { return std::round(length); }
@@ -39,7 +39,7 @@ bool is_inner(const MathsNode& node) {
 }
 
 /// Between a node and the one before it, in em.
-float space_before(const MathsRow& nodes, const std::vector<MathsRole>& roles, std::size_t i, Style style) {
+float space_before(const MathsRow& nodes, const std::vector<MathsRole>& roles, std::size_t i, SetStyle style) {
   const bool script = style.size == MathsSize::script;
   const auto space = static_cast<float>(maths_space(roles[i - 1], roles[i], script));
   if (space > 0 || script || (!is_inner(nodes[i - 1]) && !is_inner(nodes[i]))) return space;
@@ -57,12 +57,12 @@ bool primes_alone(const MathsRow& row) {
   });
 }
 
-class Layout {
+class MathsSetter {
  public:
-  explicit Layout(const MathsFont& font) : font_(font), rule_(maths_rule(font)) {}
+  explicit MathsSetter(const MathsFont& font) : font_(font), rule_(maths_rule(font)) {}
 
   MathsBox row(const MathsRow& nodes, const std::vector<MathsRole>& roles, std::size_t begin, std::size_t end,
-               Style style) const {
+               SetStyle style) const {
     MathsBox box;
     for (std::size_t i = begin; i < end; ++i) {
       if (i > begin) box.width += font_.em(style.size) * space_before(nodes, roles, i, style);
@@ -73,23 +73,25 @@ class Layout {
     return box;
   }
 
-  MathsBox row(const MathsRow& nodes, Style style) const { return row(nodes, roles_in(nodes), 0, nodes.size(), style); }
+  MathsBox row(const MathsRow& nodes, SetStyle style) const {
+    return row(nodes, roles_in(nodes), 0, nodes.size(), style);
+  }
 
  private:
-  MathsBox node(const MathsNode& node, Style style) const {
+  MathsBox node(const MathsNode& node, SetStyle style) const {
     return std::visit([&](const auto& what) { return set(what, style); }, node.what);
   }
 
-  float em(Style style) const { return font_.em(style.size); }
-  float axis(Style style) const { return maths_axis(font_, style.size); }
+  float em(SetStyle style) const { return font_.em(style.size); }
+  float axis(SetStyle style) const { return maths_axis(font_, style.size); }
 
-  MathsBox text(const std::string& words, MathsStyle face, Style style) const {
+  MathsBox text(const std::string& words, MathsStyle face, SetStyle style) const {
     const InkBox ink = font_.ink(face, style.size, words);
     return {ink.advance, std::max(0.0f, ink.above), std::max(0.0f, ink.below), {{0, 0, words, face, style.size}}, {},
             {}};
   }
 
-  MathsBox set(const MathsSign& sign, Style style) const {
+  MathsBox set(const MathsSign& sign, SetStyle style) const {
     if (sign.large && style.setting == Setting::displayed) return drawn_operator(sign.text, em(style), axis(style));
     if (always_drawn(sign.text)) {
       const float reach = 0.5f * em(style);
@@ -99,22 +101,22 @@ class Layout {
     return text(sign.text, sign.style, style);
   }
 
-  MathsBox set(const MathsGroup& group, Style style) const { return row(group.inside, style); }
-  MathsBox set(const MathsWords& words, Style style) const { return text(words.text, MathsStyle::upright, style); }
+  MathsBox set(const MathsGroup& group, SetStyle style) const { return row(group.inside, style); }
+  MathsBox set(const MathsWords& words, SetStyle style) const { return text(words.text, MathsStyle::upright, style); }
 
-  MathsBox set(const MathsSpace& space, Style style) const {
+  MathsBox set(const MathsSpace& space, SetStyle style) const {
     MathsBox box;
     box.width = em(style) * static_cast<float>(space.em);
     return box;
   }
 
   /// How far a superscript must move to the right of a slanted letter, whose top leans there.
-  float overhang(const MathsSign& sign, Style style) const {
+  float overhang(const MathsSign& sign, SetStyle style) const {
     const InkBox ink = font_.ink(sign.style, style.size, sign.text);
     return std::clamp(ink.right - ink.advance + slant * em(style), 0.0f, 2 * slant * em(style));
   }
 
-  MathsBox set(const MathsScripts& scripts, Style style) const {
+  MathsBox set(const MathsScripts& scripts, SetStyle style) const {
     const auto* sign = std::get_if<MathsSign>(&scripts.base.front().what);
     if (sign && sign->limits && style.setting == Setting::displayed) return with_limits(scripts, style);
     const float e = em(style);
@@ -140,7 +142,7 @@ class Layout {
     return box;
   }
 
-  MathsBox with_limits(const MathsScripts& scripts, Style style) const {
+  MathsBox with_limits(const MathsScripts& scripts, SetStyle style) const {
     const MathsBox base = row(scripts.base, style), sub = row(scripts.sub, style.script()),
                    super = row(scripts.super, style.script());
     MathsBox box;
@@ -153,8 +155,8 @@ class Layout {
     return box;
   }
 
-  MathsBox set(const MathsFraction& fraction, Style style) const {
-    const Style inside = style.setting == Setting::displayed ? style.cell() : style.script();
+  MathsBox set(const MathsFraction& fraction, SetStyle style) const {
+    const SetStyle inside = style.setting == Setting::displayed ? style.cell() : style.script();
     const MathsBox top = row(fraction.numerator, inside), bottom = row(fraction.denominator, inside);
     const float e = em(style), part = em(inside) / e;
     const float gap = std::max(2.0f, fraction_gap * e * part);
@@ -171,7 +173,7 @@ class Layout {
     return box;
   }
 
-  MathsBox set(const MathsRoot& root, Style style) const {
+  MathsBox set(const MathsRoot& root, SetStyle style) const {
     const float e = em(style);
     const MathsBox inside = row(root.inside, style);
     const float above = whole(std::max(inside.above, 0.6f * e) + root_gap * e + rule_),
@@ -193,7 +195,7 @@ class Layout {
     return box;
   }
 
-  MathsBox set(const MathsAccented& accented, Style style) const {
+  MathsBox set(const MathsAccented& accented, SetStyle style) const {
     const float e = em(style);
     MathsBox box = row(accented.inside, style);
     const auto* sign = std::get_if<MathsSign>(&accented.inside.front().what);
@@ -207,7 +209,8 @@ class Layout {
   }
 
   /// Puts delimiters of its height around a box.
-  MathsBox fenced(const std::string& opening, const std::string& closing, const MathsBox& inside, Style style) const {
+  MathsBox fenced(const std::string& opening, const std::string& closing, const MathsBox& inside,
+                  SetStyle style) const {
     const float e = em(style), a = axis(style);
     const float reach = std::max({inside.above - a, inside.below + a, 0.0f}) + 0.04f * e;
     const auto delimiter = [&](const std::string& sign, DelimiterEnd end) -> MathsBox {
@@ -225,11 +228,11 @@ class Layout {
     return box;
   }
 
-  MathsBox set(const MathsFence& fence, Style style) const {
+  MathsBox set(const MathsFence& fence, SetStyle style) const {
     return fenced(fence.opening, fence.closing, row(fence.inside, style), style);
   }
 
-  MathsBox set(const MathsMatrix& matrix, Style style) const {
+  MathsBox set(const MathsMatrix& matrix, SetStyle style) const {
     const float e = em(style);
     std::vector<std::vector<MathsBox>> cells;
     std::vector<float> widths(matrix.rows.front().size(), 0.0f), baselines;
@@ -290,8 +293,8 @@ std::vector<std::size_t> ends_of_parts(const MathsRow& row, const std::vector<Ma
 }
 
 /// Without wide spaces at its ends.
-MathsBox trimmed_part(const Layout& layout, const MathsRow& row, const std::vector<MathsRole>& roles, std::size_t begin,
-                      std::size_t end, Style style) {
+MathsBox trimmed_part(const MathsSetter& layout, const MathsRow& row, const std::vector<MathsRole>& roles,
+                      std::size_t begin, std::size_t end, SetStyle style) {
   const auto is_space = [&](std::size_t i) { return std::holds_alternative<MathsSpace>(row[i].what); };
   while (end > begin + 1 && is_space(end - 1)) --end;
   return layout.row(row, roles, begin, end, style);
@@ -330,7 +333,7 @@ float maths_axis(const MathsFont& font, MathsSize size) {
 float maths_rule(const MathsFont& font) { return std::max(1.0f, std::round(0.06f * font.em(MathsSize::text))); }
 
 std::vector<MathsBox> set_in_text(const Formula& formula, const MathsFont& font, float width) {
-  const Layout layout(font);
+  const MathsSetter layout(font);
   const std::vector<MathsRole> roles = roles_in(formula.row);
   std::vector<MathsBox> boxes;
   std::size_t begin = 0;
@@ -351,8 +354,8 @@ std::vector<MathsBox> set_in_text(const Formula& formula, const MathsFont& font,
 }
 
 std::vector<MathsBox> set_displayed(const Formula& formula, const MathsFont& font, float width) {
-  const Layout layout(font);
-  const Style style{Setting::displayed, MathsSize::text};
+  const MathsSetter layout(font);
+  const SetStyle style{Setting::displayed, MathsSize::text};
   const MathsRow& row = formula.row;
   const std::vector<MathsRole> roles = roles_in(row);
   std::vector<MathsBox> lines;
@@ -378,4 +381,4 @@ std::vector<MathsBox> set_displayed(const Formula& formula, const MathsFont& fon
   return lines;
 }
 
-}  // namespace ps::gui
+}  // namespace ps

@@ -1,11 +1,11 @@
-#include "gui/widgets/maths_shapes.h"
+#include "engine/maths_shapes.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
-namespace ps::gui {
+namespace ps {
 namespace {
 
 constexpr float line_of_em = 0.075f;  // as thick as the strokes of the body font
@@ -161,4 +161,4 @@ MathsBox drawn_accent(MathsAccent accent, float em, float width, float rule) {
   return box;
 }
 
-}  // namespace ps::gui
+}  // namespace ps
