@@ -14,7 +14,7 @@ struct FigureKind {
   void (*draw)(FigureValues& values, FigureMarks& marks);
 };
 
-/// What a ray does, in three parts of the subject.
+/// Kinds about directions, about intervals and cells, and about the screen.
 std::span<const FigureKind> ray_figures();
 std::span<const FigureKind> interval_figures();
 std::span<const FigureKind> raster_figures();

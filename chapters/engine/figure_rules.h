@@ -14,7 +14,8 @@ using FigureInterval = std::pair<double, double>;
 
 enum class FigureOperation { join, overlap, cut };  ///< A or B; A and B; A without B
 
-/// What a Boolean operation leaves of two solids along a ray: where the operation holds. Sorted, without empty parts.
+/// The parts of a ray that a Boolean operation keeps of two solids: where the operation holds. Sorted, without empty
+/// parts.
 std::vector<FigureInterval> combined(const std::vector<FigureInterval>& a, const std::vector<FigureInterval>& b,
                                      FigureOperation operation);
 

@@ -298,7 +298,7 @@ bool overlap(const PaintArea& a, const PaintArea& b) {
          std::min(a.high.y, b.high.y) > std::max(a.low.y, b.low.y) + 1;
 }
 
-/// What is wrong with the labels of a figure in a column of this width; empty if they are free.
+/// The first fault of the labels of a figure in a column of this width; empty if they are free.
 std::string fault_of_labels(const Figure& figure, double width) {
   NotingPainter painter(1);
   const double height = figure_height(painter, figure, width);
