@@ -31,7 +31,7 @@ constexpr std::string_view style_sheet =
     "@page{size:A4;margin:15mm 16mm 17mm;@bottom-right{content:counter(page) \" of \" counter(pages);"
     "font:9pt Helvetica,Arial,sans-serif;color:#555}}"
     "@media print{body{margin:0;padding:0;max-width:none;font-size:10pt;line-height:1.38}"
-    "img{max-height:56mm}.drawing svg{width:auto;max-height:36mm}.covered{padding:12% 1em}p{margin:.5em "
+    "img{max-height:56mm}.drawing svg{width:auto;max-height:44mm}.covered{padding:12% 1em}p{margin:.5em "
     "0;orphans:3;widows:3}"
     "h1,h2,h3{break-after:avoid}.pictures,.question,.box,tr{break-inside:avoid}"
     ".question.long{break-inside:auto}}";
