@@ -10,7 +10,7 @@
 namespace ps {
 namespace {
 
-/// The column of what follows the word of a line.
+/// The column behind the first word of a line.
 SourcePlace place_of_rest(const BlockLine& line) {
   return {line.place.file, line.place.line, line.place.column + static_cast<int>(line.word.size()) + 1};
 }

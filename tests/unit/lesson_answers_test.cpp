@@ -74,7 +74,7 @@ TEST(LessonAnswers, NoneIsLostWhereSeveralAreAddedAtOnce) {
           keep_answer(file, answer("it"));
           ++i;
         } catch (const InputError&) {
-          // The others had the file for too long, which is said and loses nothing.
+          // The others had the file for too long, which is said. None of their answers is lost.
         }
     });
   for (std::thread& thread : threads) thread.join();

@@ -37,7 +37,7 @@ MeasuredAnswer measured(const LessonQuestion& question) {
   return measure_answer(question, progress);
 }
 
-/// What check_question() objects to.
+/// The objection of check_question(), or "".
 std::string objection(const std::string& question) {
   Progress progress;
   std::string found;
