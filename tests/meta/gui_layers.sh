@@ -5,7 +5,7 @@ set -euo pipefail
 shopt -s globstar nullglob
 export LC_ALL=C
 layers=app/gui/layers.txt
-panels="kept pictures options scenes lesson story space microscope studies"  # lowest first
+panels="kept pictures techniques options scenes lesson story space microscope studies"  # lowest first
 
 # Each include of another folder: PLACE FOLDER INCLUDED-FOLDER HEADER. $1: the folder whose folders are looked at.
 includes() {

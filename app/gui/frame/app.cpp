@@ -13,9 +13,9 @@
 #include "document/permalink_file.h"
 #include "engine/lesson.h"
 #include "gui/base/fit.h"
-#include "gui/frame/about.h"
 #include "gui/frame/drop.h"
 #include "gui/frame/file_dialog.h"
+#include "gui/frame/file_questions.h"
 #include "gui/frame/follow_link.h"
 #include "gui/frame/menu_bar.h"
 #include "gui/frame/palette_entries.h"
@@ -25,7 +25,6 @@
 #include "gui/frame/show_panel.h"
 #include "gui/frame/status_bar.h"
 #include "gui/frame/window_actions.h"
-#include "gui/panels/pictures/dropped_picture.h"
 #include "gui/panels/pictures/picture_actions.h"
 #include "gui/panels/pictures/picture_gizmo.h"
 #include "gui/panels/pictures/picture_values.h"
@@ -99,22 +98,18 @@ struct App::Parts {
   void draw_status(ImVec2 window, float height);
   void close_on_escape();
   void keep_what_is_open();
-  void show_options();
-  void open_tool(std::string_view name);
+  void take(const PanelMessage& message);
+  void show_tool(const ShowTool& asked);
   std::string status() const;
-  bool unsafe_busy() const;
   bool busy() const;
 
   Shell& shell;
   Session session;
-  PanelStates my;
   FileDialog files;
   PanelHost host;
-  std::vector<Panel> panels;
+  Panels my;
   Regions regions;
-  About about;
   MenuBar menu_bar;
-  DroppedPicture dropped;
   StatusBarState status_bar;
   Autosave autosave;
   std::optional<std::uint64_t> kept_revision;  ///< of the document, that was saved last
@@ -126,24 +121,32 @@ struct App::Parts {
 };
 
 App::Parts::Parts(Shell& of, const AppOptions& options, Document document)
-    : shell(of), session(session_host(of)),
-      my([&of] { of.wake(); }, options.remember), host{.copy =
-                                                           [this](const std::string& text, const std::string& said) {
-                                                             shell.set_clipboard(text);
-                                                             session.say(Message::Kind::information, said);
-                                                           },
-                                                       .ask_file =
-                                                           [this](FileQuestion question) {
-                                                             files.ask(std::move(question));
-                                                           }},
-      panels(panel_table(session, my, host)), regions(session, my, panels),
-      menu_bar(session, shell.actions(), panels, about, my.lessons.read, my.pictures.compare),
+    : shell(of),
+      session(session_host(of)), host{.session = session,
+                                      .wake = [&of] { of.wake(); },
+                                      .remember = options.remember,
+                                      .remembered = [&of](const std::string& key) { return of.remembered(key); },
+                                      .remember_lines =
+                                          [&of](const std::string& key, std::string lines) {
+                                            of.remember_lines(key, std::move(lines));
+                                          },
+                                      .copy =
+                                          [this](const std::string& text, const std::string& said) {
+                                            shell.set_clipboard(text);
+                                            session.say(Message::Kind::information, said);
+                                          },
+                                      .ask_file = [this](FileQuestion question) { files.ask(std::move(question)); },
+                                      .send = [this](const PanelMessage& message) { take(message); },
+                                      .needs_processors =
+                                          [this] {
+                                            return session.work().rendering() ||
+                                                   std::any_of(
+                                                       my.all().begin(), my.all().end(),
+                                                       [](const Panel& panel) { return panel.measures_times(); });
+                                          }},
+      my(host), regions(session, my),
+      menu_bar(session, shell.actions(), my.all(), my.about, my.lessons.state.read, my.pictures.drawn.compare),
       autosave(autosave_folder(options)) {
-  my.kept.presets = parse_kept(shell.remembered(presets_key));
-  my.kept.bookmarks = parse_kept(shell.remembered(bookmarks_key));
-  my.kept.remember = [this](const char* key, std::string lines) { shell.remember_lines(key, std::move(lines)); };
-  my.lessons.read.names = parse_read_lessons(shell.remembered(read_lessons_key));
-  my.lessons.read.remember = [this](std::string lines) { shell.remember_lines(read_lessons_key, std::move(lines)); };
   std::vector<Message> words;  // start() clears what was said before it
   const bool asked = !nothing_asked(options);
   auto left_behind = asked ? std::optional<Document>() : restored_document(autosave, session, words);
@@ -169,89 +172,53 @@ App::Parts::Parts(Shell& of, const AppOptions& options, Document document)
 void App::Parts::add_actions() {
   Actions& actions = shell.actions();
   add_window_actions(actions, session, my.pictures, host);
-  actions.add({.name = "scenes", .label = "Gallery of scenes", .group = "Scene", .keys = "Ctrl+Shift+O", .run = [this] {
-                 open_scene_gallery(my.scenes);
-               }});
-  actions.add({.name = "lessons",
-               .label = "Find a lesson: pictures, and a search in all texts",
-               .group = "Lesson",
-               .keys = "Ctrl+L",
-               .run = [this] { open_lesson_picker(my.picker, session); }});
+  for (Panel& panel : my.all())
+    if (panel.facts.place == PanelPlace::over) panel.add_actions(actions);
   add_picture_actions(actions, session, my.pictures);
   add_shot_actions(actions, session, my.pictures,
                    [this](std::function<void(Image<Rgb8>)> take) { shell.take_shot(std::move(take)); });
-  actions.add({.name = "kept",
-               .label = "Presets and bookmarks: keep options or the screen under a name",
-               .group = "Edit",
-               .keys = "M",
-               .run = [this] { my.kept.open = my.kept.just_opened = true; },
-               .enabled = [this] { return session.has_scene(); }});
-  actions.add({.name = "object",
-               .label = "Object: place, size and material of the picked one",
-               .group = "Edit",
-               .run =
-                   [this] {
-                     my.options.object.open = true;
-                     my.options.object.come = 3;
-                     show_options();
-                     key_focus().go_to("options/object/gizmo");
-                   },
-               .enabled = [this] { return session.has_scene(); }});
-  for (const Panel& panel : panels) {
-    if (panel.actions) panel.actions(actions);
-    if (panel.place == PanelPlace::below)
-      actions.add({.name = "study-" + std::string(panel.name),
-                   .label = std::string(panel.command),
-                   .group = "Study",
-                   .run = [this, name = panel.name] { open_tool(name); },
-                   .enabled = [this] { return session.has_scene(); }});
+  ActionGroup tools(actions, "Study", [this] { return session.has_scene(); });
+  for (Panel& panel : my.all()) {
+    if (panel.facts.place != PanelPlace::over) panel.add_actions(actions);
+    if (panel.facts.place == PanelPlace::below)
+      tools.add("study-" + std::string(panel.facts.name), std::string(panel.facts.command), "",
+                [this, name = panel.facts.name] { take(ShowTool{name}); });
   }
-  actions.add({.name = "vertex-film",
-               .label = "Vertex: play its way from the model to the canvas",
-               .group = "Study",
-               .run =
-                   [this] {
-                     open_tool(tool_names::vertex);
-                     play_film(my.vertex.film);
-                   },
-               .enabled = [this] { return session.has_scene(); }});
-  actions.add({.name = "film-frame",
-               .label = "Stability: go through the frames of the film strip",
-               .group = "Study",
-               .run =
-                   [this] {
-                     open_tool(tool_names::stability);
-                     key_focus().go_to("stability/scrub");
-                   },
-               .enabled = [this] { return session.has_scene(); }});
-  actions.add(
-      {.name = "range",
-       .label = "Set the range of the false colours",
-       .group = "View",
-       .run = [] { key_focus().go_to("view/a/range/low"); },
-       .enabled =
-           [this] { return session.has_scene() && shown_channel(session.shown(Side::a)).heat.value != nullptr; }});
-  actions.add({.name = "range-auto",
-               .label = "False colours in the range of the pictures' own values",
-               .group = "View",
-               .run = [this] { session.navigate([](Document& document) { document.heat_range.reset(); }); },
-               .enabled = [this] { return session.has_scene() && session.document().heat_range.has_value(); }});
-  add_drawer_actions(actions, session, panels, my.drawer);
-  actions.offer_more(
-      [this] { return palette_entries(session, my.lessons.column, my.options, my.kept, [this] { show_options(); }); });
+  ActionGroup(actions, "View", [this] {
+    return session.has_scene() && shown_channel(session.shown(Side::a)).heat.value != nullptr;
+  }).add("range", "Set the range of the false colours", "", [] { key_focus().go_to("view/a/range/low"); });
+  ActionGroup(actions, "View", [this] {
+    return session.has_scene() && session.document().heat_range.has_value();
+  }).add("range-auto", "False colours in the range of the pictures' own values", "", [this] {
+    session.navigate([](Document& document) { document.heat_range.reset(); });
+  });
+  add_drawer_actions(actions, session, my.all(), my.drawer);
+  actions.offer_more([this] { return palette_entries(host, my.all()); });
 }
 
-void App::Parts::open_tool(std::string_view name) {
-  make_room_for(session, find_panel(panels, name));
-  show_tool(session, my.lessons.column, name);
+void App::Parts::show_tool(const ShowTool& asked) {
+  if (asked.room == ShowTool::Room::made) make_room_for(session, my.find(asked.name));
+  show_panel(session, asked.name);
+  if (session.document().mode == ScreenMode::lesson) my.lessons.state.column.shows = ColumnShows::tool;
+}
+
+/// Requests of panels to the window, after each panel has looked at them.
+void App::Parts::take(const PanelMessage& message) {
+  for (Panel& panel : my.all()) panel.take(message);
+  if (const auto* tool = std::get_if<ShowTool>(&message)) return show_tool(*tool);
+  if (const auto* mode = std::get_if<SetMode>(&message)) return set_mode(session, mode->mode);
+  if (std::holds_alternative<ShowOptions>(message)) {
+    set_mode(session, ScreenMode::explore);
+    session.navigate([](Document& document) { document.layout.options_open = true; });
+  }
+  if (const auto* link = std::get_if<LinkTarget>(&message)) return follow_link(host, *link);
+  if (const auto* drawing = std::get_if<SaveDrawing>(&message)) files.ask(save_drawing_question(session, *drawing));
 }
 
 void App::Parts::offer_values() {
   offer_session_values(values(), session);
   offer_picture_values(values(), session, my.pictures);
-  offer_unsafe_values(values(), my.unsafe);
-  for (const Panel& panel : panels)
-    if (panel.publish) panel.publish(values());
+  for (Panel& panel : my.all()) panel.offer(values());
   values().offer("actions", [this] {
     std::string names;
     for (const Action& action : shell.actions().all()) names += (names.empty() ? "" : " ") + action.name;
@@ -260,47 +227,29 @@ void App::Parts::offer_values() {
   values().offer_below("area/", [](std::string_view name) { return noted_area(name); });
   values().offer("window/cut", [] { return fit_watch().cut(); });
   values().offer("window/overlap", [] { return fit_watch().overlap(); });
-  values().offer("scenes/open", [this] { return my.scenes.open; });
-  values().offer("picker/open", [this] { return my.picker.open; });
-  values().offer("picker/pictures", [this] { return static_cast<int>(my.picker.thumbnails.count()); });
-  offer_drawer_values(values(), session, panels);
+  offer_drawer_values(values(), session, my.all());
   values().offer("first-look/offered", [this] { return offers_first_look; });
-}
-
-void App::Parts::show_options() {
-  my.history.open = false;
-  set_mode(session, ScreenMode::explore);
-  session.navigate([](Document& document) { document.layout.options_open = true; });
 }
 
 /// Esc leaves whatever is in front: an open menu, flying, a picture that is alone.
 void App::Parts::close_on_escape() {
   if (!key_pressed(Key::escape, KeyRepeat::once) || key_focus().left_by_escape()) return;
-  if (cancel_picture_drag(session, my.pictures) || cancel_space_drag(session, my.space)) return;
+  if (cancel_picture_drag(session, my.pictures)) return;
+  for (Panel& panel : my.all())
+    if (panel.cancel_drag()) return;
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) {
     ImGui::ClosePopupToLevel(0, true);
     return;
   }
-  bool left = false;  // sheets over the window
-  for (bool* open : {&about.open, &my.scenes.open, &my.picker.open, &my.kept.open, &my.lessons.glossary.open,
-                     &my.lessons.notes.open})
-    left |= std::exchange(*open, false);
+  bool left = false;
+  for (Panel& panel : my.all())
+    if (panel.facts.place == PanelPlace::over) left |= panel.close();
   if (left) return;
-  if (!dropped.file.empty()) {
-    dropped = {};
-    return;
-  }
-  my.pictures.fly = false;
-  if (my.predict.on && prediction_pending(session, my.predict) && asks_about_pixel(session, my.predict)) {
-    my.predict.on = false;
-    return;
-  }
+  my.pictures.keys.fly = false;
+  if (my.pixel.stop_asking()) return;
   if (session.region()) return session.set_region({});
   if (!session.document().layout.filled.empty()) return fill_window(session, {});
-  if (my.history.open) {
-    my.history.open = false;
-    return;
-  }
+  if (my.history.close()) return;
   if (leave_presenter(session)) return;
   session.navigate([](Document& document) {
     document.layout.panels = true;
@@ -317,28 +266,19 @@ void App::Parts::update() {
   session.update();
   flying_now = fly_camera(session, my.pictures, passed);
   collect_pictures(session, my.pictures);
-  my.pictures.picked.update(session);
-  for (const Panel& panel : panels)
-    if (panel.update) panel.update();
-  update_unsafe(session, my.unsafe);
+  my.selection.object.update(session);
+  for (Panel& panel : my.all()) panel.update();
 }
 
 std::string App::Parts::status() const {
-  for (const Panel& panel : panels)
-    if (panel.status)
-      if (std::string text = panel.status(); !text.empty()) return text;
+  for (const Panel& panel : my.all())
+    if (std::string text = panel.status(); !text.empty()) return text;
   return {};
 }
 
-bool App::Parts::unsafe_busy() const {
-  return std::any_of(my.unsafe.sides.begin(), my.unsafe.sides.end(),
-                     [](const UnsafeSide& side) { return side.study.running(); });
-}
-
 bool App::Parts::busy() const {
-  return session.busy() || my.pictures.meter->busy() || my.pictures.meter->has_news() || unsafe_busy() ||
-         (my.scenes.open && my.scenes.thumbnails.busy()) || (my.picker.open && my.picker.thumbnails.busy()) ||
-         std::any_of(panels.begin(), panels.end(), [](const Panel& panel) { return panel.busy && panel.busy(); });
+  return session.busy() || works(*my.pictures.difference.meter) ||
+         std::any_of(my.all().begin(), my.all().end(), [](const Panel& panel) { return panel.busy(); });
 }
 
 /// Autosaves the document for the case of a crash, and remembers the layout for the next start.
@@ -401,21 +341,9 @@ void App::Parts::draw() {
   if (!presents) draw_status(size, status_height);
   ImGui::End();
   message_bars(session, status_bar, px(8), size.x - px(8), size.y - status_height);
-  if (const auto experiment = unsafe_lines(session, my.unsafe, my.pictures)) {
-    my.stability.show(*experiment);
-    open_tool(tool_names::stability);
-  }
   files.draw();
-  about.draw();
-  scene_gallery(session, my.scenes);
-  lesson_picker(session, my.picker, my.lessons.read);
-  kept_panel(session, my.kept);
-  dropped_picture(session, dropped);
-  if (auto link = glossary_sheet(session, my.lessons.glossary)) my.lessons.followed = std::move(link);
-  if (auto link = notes_sheet(session, my.lessons.notes, my.lessons.open(session)))
-    my.lessons.followed = std::move(link);
-  if (const auto followed = std::exchange(my.lessons.followed, {}))
-    follow_link(session, my, *followed, [this] { show_options(); });
+  for (Panel& panel : my.all())
+    if (panel.facts.place == PanelPlace::over) panel.draw({});
   draw_flash();
 }
 
@@ -431,7 +359,7 @@ void App::draw() {
   my.session.request_changed();
   my.keep_what_is_open();
   // Progress moves also between tiles.
-  if (my.session.busy() || my.unsafe_busy() || !my.status().empty()) my.shell.wake_after(progress_interval);
+  if (my.busy() || !my.status().empty()) my.shell.wake_after(progress_interval);
 }
 
 bool App::busy() const { return parts_->busy(); }
@@ -441,7 +369,7 @@ void App::open(const std::string& path_or_name) { parts_->session.open(path_or_n
 
 void App::drop(const std::string& path, std::optional<WindowPoint> at) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  take_dropped_file(parts_->session, parts_->my.pictures, parts_->dropped, path,
+  take_dropped_file(parts_->session, parts_->my.pictures, parts_->my.dropped, path,
                     at.value_or(WindowPoint{mouse.x, mouse.y}));
 }
 
@@ -455,13 +383,13 @@ void App::set_option(Side side, const std::string& assignment) {
 
 std::optional<WindowPoint> App::pixel_place(Side side, Vec2i pixel) const {
   const PicturesState& pictures = parts_->my.pictures;
-  const auto& area = pictures.areas[index_of(side)];
+  const auto& area = pictures.drawn.areas[index_of(side)];
   if (!area) return {};
-  const ImVec2 at = pictures.transform.to_window({pixel.x + 0.5, pixel.y + 0.5}, *area);
+  const ImVec2 at = pictures.drawn.transform.to_window({pixel.x + 0.5, pixel.y + 0.5}, *area);
   if (!area->contains(at)) return {};
   // Of a picture that A and B share, each shows its part; flicker lets them change places.
-  const Side left = pictures.flip ? Side::b : Side::a;
-  if (pictures.split_at && (at.x < *pictures.split_at) != (side == left)) return {};
+  const Side left = pictures.keys.flip ? Side::b : Side::a;
+  if (pictures.drawn.split_at && (at.x < *pictures.drawn.split_at) != (side == left)) return {};
   return WindowPoint{at.x, at.y};
 }
 

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "engine/screen_names.h"
-#include "gui/frame/panel_table.h"
 #include "gui/frame/show_panel.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/tab_row.h"
@@ -13,7 +11,7 @@
 namespace ps::gui {
 
 std::string tab_label(const Panel& tool) {
-  std::string label(tool.heading);
+  std::string label(tool.facts.heading);
   for (std::size_t i = 1; i < label.size(); ++i)
     label[i] = static_cast<char>(std::tolower(static_cast<unsigned char>(label[i])));
   return label;
@@ -27,37 +25,36 @@ struct GroupRow {
 };
 const std::array<GroupRow, 4> groups{
     GroupRow{ToolGroup::pixel, {"pixel", "Pixel", "What happens at the picked pixel."}},
-    GroupRow{ToolGroup::pixels,
-             {tool_names::pixels, "Pixels", "The worst pixels, watched ones, and the levels of a rectangle."}},
+    GroupRow{ToolGroup::pixels, {"pixels", "Pixels", "The worst pixels, watched ones, and the levels of a rectangle."}},
     GroupRow{ToolGroup::measure, {"measure", "Measure", "Time, error, and what makes A and B differ."}},
-    GroupRow{ToolGroup::stability, {tool_names::stability, "Stability", "Where methods fail: naive beside robust."}},
+    GroupRow{ToolGroup::stability, {"stability", "Stability", "Where methods fail: naive beside robust."}},
 };
 
 std::size_t place_of(ToolGroup group) { return static_cast<std::size_t>(group); }
 
-std::vector<const Panel*> tools_of(const std::vector<Panel>& panels, ToolGroup group) {
+std::vector<const Panel*> tools_of(const PanelList& panels, ToolGroup group) {
   std::vector<const Panel*> tools;
   for (const Panel& panel : panels)
-    if (panel.place == PanelPlace::below && panel.group == group) tools.push_back(&panel);
+    if (panel.facts.place == PanelPlace::below && panel.facts.group == group) tools.push_back(&panel);
   return tools;
 }
 
 /// The tool in sight below the pictures; nullptr while the drawer is folded.
-const Panel* open_tool(const Session& session, const std::vector<Panel>& panels) {
+const Panel* open_tool(const Session& session, const PanelList& panels) {
   const Document& document = session.document();
   const bool stage = document.mode == ScreenMode::lesson && document.layout.filled.empty();
   if (!stage && document.mode != ScreenMode::study && !bottom_is_open(document)) return nullptr;
   const std::string& name = stage ? document.layout.stage : document.layout.bottom_tab;
   const auto found = std::find_if(panels.begin(), panels.end(), [&](const Panel& panel) {
-    return panel.place == PanelPlace::below && panel.name == name;
+    return panel.facts.place == PanelPlace::below && panel.facts.name == name;
   });
-  return found == panels.end() ? nullptr : &*found;
+  return found == panels.end() ? nullptr : &found->get();
 }
 
 /// The tool that a group opens with.
-std::string_view first_tool(const std::vector<Panel>& panels, const DrawerState& state, ToolGroup group) {
+std::string_view first_tool(const PanelList& panels, const DrawerState& state, ToolGroup group) {
   const std::string_view last = state.last[place_of(group)];
-  return last.empty() ? tools_of(panels, group).front()->name : last;
+  return last.empty() ? tools_of(panels, group).front()->facts.name : last;
 }
 
 /// The tools of a group, in the line of the groups where there is room.
@@ -71,8 +68,8 @@ void tool_tabs(Session& session, const std::vector<const Panel*>& tools, const P
   float width = 0;
   for (std::size_t i = 0; i < tools.size(); ++i) {
     if (tools[i] == &open) index = static_cast<int>(i);
-    tabs.push_back({tools[i]->name, labels[i], tools[i]->help});
-    brief.push_back(tools[i]->brief);
+    tabs.push_back({tools[i]->facts.name, labels[i], tools[i]->facts.help});
+    brief.push_back(tools[i]->facts.brief);
     width += text_width(labels[i]) + px(22);
   }
   same_line_if_room(width + button_width("↓") + px(16), px(24));
@@ -80,31 +77,32 @@ void tool_tabs(Session& session, const std::vector<const Panel*>& tools, const P
 }
 
 /// A script looks for the tab of a tool whose group is not open.
-void reveal_for_script(Session& session, const std::vector<Panel>& panels, const Panel* open) {
+void reveal_for_script(Session& session, const PanelList& panels, const Panel* open) {
   for (const Panel& panel : panels)
-    if (panel.place == PanelPlace::below && &panel != open && (!open || panel.group != open->group) &&
-        controls().reveals(full_name("bottom/" + std::string(panel.name))) && tools_of(panels, panel.group).size() > 1)
-      show_panel(session, panel.name);
+    if (panel.facts.place == PanelPlace::below && &panel != open && (!open || panel.facts.group != open->facts.group) &&
+        controls().reveals(full_name("bottom/" + std::string(panel.facts.name))) &&
+        tools_of(panels, panel.facts.group).size() > 1)
+      show_panel(session, panel.facts.name);
 }
 
 }  // namespace
 
-void drawer_tabs(Session& session, const std::vector<Panel>& panels, DrawerState& state) {
+void drawer_tabs(Session& session, const PanelList& panels, DrawerState& state) {
   const Panel* open = open_tool(session, panels);
   reveal_for_script(session, panels, open);
   std::vector<Choice> tabs;
   int index = -1;
   for (const GroupRow& row : groups) {
-    if (open && open->group == row.group) index = static_cast<int>(tabs.size());
+    if (open && open->facts.group == row.group) index = static_cast<int>(tabs.size());
     tabs.push_back(row.tab);
   }
-  if (open) state.last[place_of(open->group)] = open->name;
+  if (open) state.last[place_of(open->facts.group)] = open->facts.name;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float right = at.x + ImGui::GetContentRegionAvail().x;
   if (tab_row(region_names::bottom, tabs, {}, index, open ? button_width("↓") : 0))
     show_panel(session, first_tool(panels, state, groups[static_cast<std::size_t>(index)].group));
   if (!open) return;
-  if (const auto tools = tools_of(panels, open->group); tools.size() > 1) tool_tabs(session, tools, *open);
+  if (const auto tools = tools_of(panels, open->facts.group); tools.size() > 1) tool_tabs(session, tools, *open);
   const ImVec2 below = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos({right - button_width("↓"), at.y});
   if (button("bottom/fold", "↓", Emphasis::quiet,
@@ -113,7 +111,7 @@ void drawer_tabs(Session& session, const std::vector<Panel>& panels, DrawerState
   ImGui::SetCursorScreenPos(below);
 }
 
-void add_drawer_actions(Actions& actions, Session& session, const std::vector<Panel>& panels, DrawerState& state) {
+void add_drawer_actions(Actions& actions, Session& session, const PanelList& panels, DrawerState& state) {
   for (const GroupRow& row : groups)
     actions.add({.name = "tools-" + std::string(row.tab.key),
                  .label = fmt::format("Tools: {} (again: the next one)", row.tab.label),
@@ -127,17 +125,17 @@ void add_drawer_actions(Actions& actions, Session& session, const std::vector<Pa
                        const std::string_view next =
                            at == tools.end()
                                ? first_tool(panels, state, group)
-                               : tools[static_cast<std::size_t>(at - tools.begin() + 1) % tools.size()]->name;
+                               : tools[static_cast<std::size_t>(at - tools.begin() + 1) % tools.size()]->facts.name;
                        make_room_for(session, find_panel(panels, next));
                        show_panel(session, next);
                      },
                  .enabled = [&session] { return session.has_scene(); }});
 }
 
-void offer_drawer_values(Values& out, Session& session, const std::vector<Panel>& panels) {
+void offer_drawer_values(Values& out, Session& session, const PanelList& panels) {
   for (const Panel& panel : panels)
-    if (panel.place == PanelPlace::below)
-      out.offer("bottom/" + std::string(panel.name),
+    if (panel.facts.place == PanelPlace::below)
+      out.offer("bottom/" + std::string(panel.facts.name),
                 [&session, &panels, &panel] { return open_tool(session, panels) == &panel; });
 }
 

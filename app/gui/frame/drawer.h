@@ -16,15 +16,15 @@ struct DrawerState {
 };
 
 /// The tabs of the drawer: four groups, and beside them the tools of the open one. They act on the document.
-void drawer_tabs(Session& session, const std::vector<Panel>& panels, DrawerState& state);
+void drawer_tabs(Session& session, const PanelList& panels, DrawerState& state);
 
 /// A tool's name as tabs have it, with a capital at its beginning alone: "Microscope".
 std::string tab_label(const Panel& tool);
 
 /// A key for each group, which opens it, and pressed again its next tool.
-void add_drawer_actions(Actions& actions, Session& session, const std::vector<Panel>& panels, DrawerState& state);
+void add_drawer_actions(Actions& actions, Session& session, const PanelList& panels, DrawerState& state);
 
 /// bottom/TOOL: whether the tool is in sight, also while the tabs of other groups are.
-void offer_drawer_values(Values& out, Session& session, const std::vector<Panel>& panels);
+void offer_drawer_values(Values& out, Session& session, const PanelList& panels);
 
 }  // namespace ps::gui

@@ -14,8 +14,8 @@ int object_at(Session& session, const PicturesState& pictures, ImVec2 place) {
     return known ? result->frame.ids.at(pixel.x, pixel.y).object : -1;
   };
   for (const Side side : both_sides)
-    if (const auto& area = pictures.areas[index_of(side)]; area && area->contains(place))
-      if (const int object = seen(side, pictures.transform.pixel_at(place, *area)); object >= 0) return object;
+    if (const auto& area = pictures.drawn.areas[index_of(side)]; area && area->contains(place))
+      if (const int object = seen(side, pictures.drawn.transform.pixel_at(place, *area)); object >= 0) return object;
   const auto picked = session.pixel();
   return picked ? seen(inspected_side(session), *picked) : -1;
 }
@@ -30,7 +30,7 @@ void take_dropped_file(Session& session, const PicturesState& pictures, DroppedP
   } catch (const InputError& error) {
     return session.say(Message::Kind::error, error.what());
   }
-  ask_about_picture(session, dropped, path, object_at(session, pictures, {at.x, at.y}));
+  dropped.ask(path, object_at(session, pictures, {at.x, at.y}));
 }
 
 }  // namespace ps::gui

@@ -48,7 +48,7 @@ void save_pictures(Session& session, const PicturesState& pictures, const std::f
     for (const Side side : both_sides)
       save_image(named(side == Side::a ? "-a" : "-b"), pictures.pictures[index_of(side)].levels, texts_of(side));
     const bool difference = session.document().compare == CompareMode::difference;
-    if (difference) save_image(named("-difference"), pictures.difference.levels, texts_of(Side::a));
+    if (difference) save_image(named("-difference"), pictures.difference.picture.levels, texts_of(Side::a));
     session.say(Message::Kind::information,
                 fmt::format("Saved {} and {}{}.", named("-a").string(), named("-b").filename().string(),
                             difference ? " and the difference" : ""));

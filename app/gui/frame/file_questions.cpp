@@ -81,14 +81,12 @@ FileQuestion save_story_question(Session& session) {
                      .answer = {}});
 }
 
-FileQuestion save_drawing_question(Session& session, const std::string& title, const std::string& suggestion,
-                                   std::function<std::string()> svg) {
-  return {
-      .title = title,
-      .extensions = {".svg"},
-      .hint = "drawing.svg",
-      .suggestion = suggestion,
-      .answer = [&session, svg = std::move(svg)](const FileAnswer& file) { save_drawing(session, file.path, svg()); }};
+FileQuestion save_drawing_question(Session& session, const SaveDrawing& drawing) {
+  return {.title = drawing.title,
+          .extensions = {".svg"},
+          .hint = "drawing.svg",
+          .suggestion = drawing.suggestion,
+          .answer = [&session, svg = drawing.svg](const FileAnswer& file) { save_drawing(session, file.path, svg()); }};
 }
 
 }  // namespace ps::gui

@@ -1,8 +1,6 @@
 #pragma once
-#include <functional>
-#include <string>
-
 #include "gui/base/file_question.h"
+#include "gui/panels/messages.h"
 #include "gui/panels/pictures/pictures_panel.h"
 #include "gui/session/session.h"
 
@@ -16,8 +14,6 @@ FileQuestion picture_question(Session& session, const PicturesState& pictures);
 FileQuestion save_scene_question(Session& session);
 FileQuestion save_screen_question(Session& session);
 FileQuestion save_story_question(Session& session);
-/// `svg` makes the drawing when the file is known.
-FileQuestion save_drawing_question(Session& session, const std::string& title, const std::string& suggestion,
-                                   std::function<std::string()> svg);
+FileQuestion save_drawing_question(Session& session, const SaveDrawing& drawing);
 
 }  // namespace ps::gui

@@ -7,16 +7,12 @@
 namespace ps::gui {
 namespace {
 
-/// In a lesson the step's text has the control, else the options panel.
-void show_option(Session& session, PanelStates& my, const std::string& key, const std::function<void()>& show_options) {
-  if (session.document().mode == ScreenMode::lesson) {
-    my.lessons.shown_option = key;
-    return flash({"lesson/a/" + key, "lesson/b/" + key});
-  }
+/// Outside of a lesson, whose text has the control.
+void show_option(const PanelHost& host, const std::string& key) {
   const Option* option = find_option(key);
-  if (!option) return;
-  point_at_option(my.options, *option);
-  show_options();
+  if (!option || host.session.document().mode == ScreenMode::lesson) return;
+  host.send(PointAtOption{option});
+  host.send(ShowOptions{});
 }
 
 void show_story(Session& session, std::string_view tab) {
@@ -33,32 +29,28 @@ void show_story(Session& session, std::string_view tab) {
   flash({tab == story_names::parting ? "pixel/side/parting" : "pixel/side/a"});
 }
 
-void show_linked_panel(Session& session, PanelStates& my, const std::string& name,
-                       const std::function<void()>& show_options) {
-  if (name == options_panel_name) return show_options();
-  if (name == story_names::one || name == story_names::parting) return show_story(session, name);
-  show_tool(session, my.lessons.column, name);
-  flash({session.document().mode == ScreenMode::lesson ? "stage" : "bottom/" + name});
+void show_linked_panel(const PanelHost& host, const std::string& name) {
+  if (name == options_panel_name) return host.send(ShowOptions{});
+  if (name == story_names::one || name == story_names::parting) return show_story(host.session, name);
+  host.send(ShowTool{name, ShowTool::Room::as_there_is});
+  flash({host.session.document().mode == ScreenMode::lesson ? "stage" : "bottom/" + name});
 }
 
 }  // namespace
 
-void follow_link(Session& session, PanelStates& my, const LinkTarget& target,
-                 const std::function<void()>& show_options) {
+void follow_link(const PanelHost& host, const LinkTarget& target) {
   switch (target.link.kind) {
   case LinkKind::none:
     return flash({target.control});
   case LinkKind::option:
   case LinkKind::control:
-    return show_option(session, my, target.link.target, show_options);
+    return show_option(host, target.link.target);
   case LinkKind::panel:
-    return show_linked_panel(session, my, target.link.target, show_options);
+    return show_linked_panel(host, target.link.target);
   case LinkKind::step:
-    return go_to_step(session, session.document().lesson, target.link.step);
   case LinkKind::lesson:
-    return go_to_step(session, target.link.target, target.link.step);
   case LinkKind::term:
-    return open_glossary(my.lessons.glossary, target.link.target);
+    return;
   }
 }
 

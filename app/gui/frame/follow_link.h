@@ -1,13 +1,10 @@
 #pragma once
-#include <functional>
-
-#include "gui/frame/panel_states.h"
+#include "gui/panels/panel.h"
 
 namespace ps::gui {
 
-/// Does what a clicked link of a lesson's text asks for: shows the control or the panel and lights it up, or goes to
-/// the step. `show_options` opens the options panel.
-void follow_link(Session& session, PanelStates& states, const LinkTarget& target,
-                 const std::function<void()>& show_options);
+/// Does what a clicked link of a lesson's text asks of the window: shows the control or the panel and lights it up.
+/// Panels take links to what is theirs.
+void follow_link(const PanelHost& host, const LinkTarget& target);
 
 }  // namespace ps::gui

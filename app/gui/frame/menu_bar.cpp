@@ -47,9 +47,9 @@ void MenuBar::view_menu() {
 void MenuBar::study_menu() {
   if (!begin_menu("menu/study", "Tools")) return;
   for (const Panel& panel : panels_) {
-    if (panel.place != PanelPlace::below) continue;
-    if (panel.name == tool_names::chart) ImGui::Separator();  // what follows is about the whole picture
-    menu_action(actions_, "study-" + std::string(panel.name));
+    if (panel.facts.place != PanelPlace::below) continue;
+    if (panel.facts.name == "chart") ImGui::Separator();  // what follows is about the whole picture
+    menu_action(actions_, "study-" + std::string(panel.facts.name));
   }
   end_menu();
 }
@@ -74,7 +74,7 @@ void MenuBar::help_menu() {
     go_to_step(session_, first_look_lesson, 0);
   for (const char* name : {"help", "palette"}) menu_action(actions_, name);
   ImGui::Separator();
-  if (menu_item("about", "About Pixelscope")) about_.open = true;
+  if (menu_item("about", "About Pixelscope")) about_.show();
   end_menu();
 }
 

@@ -14,8 +14,8 @@ namespace ps::gui {
 /// outlive it.
 class MenuBar {
  public:
-  MenuBar(Session& session, const Actions& actions, const std::vector<Panel>& panels, About& about,
-          const ReadLessons& read, const CompareMode& shown)
+  MenuBar(Session& session, const Actions& actions, const PanelList& panels, About& about, const ReadLessons& read,
+          const CompareMode& shown)
       : session_(session), actions_(actions), panels_(panels), about_(about), read_(read), shown_(shown) {}
   void draw();
 
@@ -34,7 +34,7 @@ class MenuBar {
 
   Session& session_;
   const Actions& actions_;
-  const std::vector<Panel>& panels_;
+  const PanelList& panels_;
   About& about_;
   const ReadLessons& read_;
   const CompareMode& shown_;  ///< how the pictures are arranged, which the window's size may change

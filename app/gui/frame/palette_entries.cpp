@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "gui/frame/show_panel.h"
 #include "gui/panels/lesson/lesson_list.h"
 #include "gui/panels/options/value_entries.h"
 #include "gui/session/compare_technique.h"
@@ -23,8 +22,8 @@ Side side_that_it_acts_on(const Session& session, const Option& option) {
 
 }  // namespace
 
-std::vector<PaletteEntry> palette_entries(Session& session, LessonColumn& column, OptionsPanelState& options,
-                                          const KeptState& kept, const std::function<void()>& show_options) {
+std::vector<PaletteEntry> palette_entries(const PanelHost& host, const PanelList& panels) {
+  Session& session = host.session;
   std::vector<PaletteEntry> entries;
   for (const ListedLesson& lesson : listed_lessons())
     if (lesson.fault.empty())
@@ -33,15 +32,15 @@ std::vector<PaletteEntry> palette_entries(Session& session, LessonColumn& column
   for (const Option& option : option_table())
     entries.push_back(
         {fmt::format("option/{}", option.key), fmt::format("{}: {}", option.group, option.label), "option",
-         [&session, &option, &options, show_options] {
-           point_at_option(options, option);
-           show_options();
+         [&session, &host, &option] {
+           host.send(PointAtOption{&option});
+           host.send(ShowOptions{});
            key_focus().go_to(
                fmt::format("options/{}/{}", side_that_it_acts_on(session, option) == Side::a ? "a" : "b", option.key));
          },
          fmt::format("{}, {}", option.key, option.keywords)});
   for (PaletteEntry& entry : value_entries(session)) entries.push_back(std::move(entry));
-  for (PaletteEntry& entry : kept_entries(session, kept)) entries.push_back(std::move(entry));
+  for (Panel& panel : panels) panel.add_entries(entries);
   for (const Technique& technique : technique_table())
     for (const TechniqueChoice& choice : technique.choices)
       entries.push_back({fmt::format("technique/{}/{}", technique.key, choice.key),
@@ -53,9 +52,8 @@ std::vector<PaletteEntry> palette_entries(Session& session, LessonColumn& column
                        scene.name + ", " + scene.keywords});
   for (const StabilityExperiment& experiment : stability_experiments())
     entries.push_back({fmt::format("experiment/{}", experiment.key), std::string(experiment.title), "experiment",
-                       [&session, &column, &experiment] {
-                         make_room_for_study(session);
-                         show_tool(session, column, tool_names::stability);
+                       [&session, &host, &experiment] {
+                         host.send(ShowTool{"stability"});
                          session.navigate([&](Document& document) { document.layout.experiment = experiment.key; });
                        },
                        fmt::format("{}, {}", experiment.key, experiment.keywords)});

@@ -57,7 +57,7 @@ bool divider(const char* name, SplitterAxis axis, ImVec2 at, float length, float
 void Regions::draw(const Area& area, bool offers_first_look) {
   offers_first_look_ = offers_first_look;
   answered_ = asks_in_line_ = false;
-  my_.lessons.column.shared = false;
+  lessons_.column.shared = false;
   if (!session_.document().layout.filled.empty()) return filled(area);
   switch (session_.document().mode) {
   case ScreenMode::lesson:
@@ -81,8 +81,8 @@ void Regions::filled(const Area& area) {
     lesson_text(area);
   else
     left(area, true);
-  my_.pictures.areas = {};
-  my_.pictures.notes = {};
+  my_.pictures.drawn.areas = {};
+  my_.pictures.drawn.notes = {};
 }
 
 PlanInput Regions::plan_input(const Area& area, PictureCaptions captions) const {
@@ -104,10 +104,13 @@ void Regions::pictures(const Area& area, double least_share, PictureCaptions cap
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   const float strip = slow_strip_height(session_), bottom = area.max.y - strip;
   pictures_panel(session_, my_.pictures, {{area.min.x + margin, area.min.y}, {area.max.x - margin, bottom}},
-                 {.captions = captions, .least_pixels = least_share * window.x * window.y, .two = two});
+                 {.captions = captions,
+                  .least_pixels = least_share * window.x * window.y,
+                  .two = two,
+                  .covers = my_.pixel.covers()});
   note_area("pictures", area);
   for (const Side side : both_sides)
-    if (const auto& own = my_.pictures.areas[index_of(side)]) note_area(side == Side::a ? "a" : "b", *own);
+    if (const auto& own = my_.pictures.drawn.areas[index_of(side)]) note_area(side == Side::a ? "a" : "b", *own);
   if (strip <= 0) return;
   begin_region(session_, "slow-motion", {{area.min.x, bottom}, area.max}, {}, RegionPadding::tight);
   slow_strip(session_, my_.pictures.slow);
@@ -116,18 +119,18 @@ void Regions::pictures(const Area& area, double least_share, PictureCaptions cap
 
 StagePlace Regions::stage_place() const {
   if (session_.document().layout.stage == pictures_stage) return StagePlace::none;
-  return staged().height == PanelHeight::tall ? StagePlace::beside : StagePlace::below;
+  return staged().facts.height == PanelHeight::tall ? StagePlace::beside : StagePlace::below;
 }
 
-const Panel& Regions::staged() const {
+Panel& Regions::staged() const {
   const std::string& stage = session_.document().layout.stage;
   return panel(stage.empty() || stage == pictures_stage ? region_names::right : stage);
 }
 
 /// Below the text, where the step asks before it shows; returns what room is left.
 Area Regions::above_question(const Area& area) {
-  const LessonQuestions& asked = *my_.predict.lesson;
-  const bool asks = prediction_pending(session_, my_.predict), by_lesson = asked.asked_beside_text(session_);
+  const LessonQuestions& asked = lessons_.questions;
+  const bool asks = my_.pixel.asks(), by_lesson = asked.asked_beside_text(session_);
   // Exploring, a question that no lesson asks is in the place of the pixel's story.
   const bool pending = asks && (by_lesson || session_.document().mode != ScreenMode::explore);
   if (!pending && !by_lesson) return area;
@@ -141,14 +144,14 @@ void Regions::question(const Area& area, bool pending) {
   begin_region(session_, "question", area);
   ImGui::BeginChild("scroll");
   const float top = ImGui::GetCursorPosY();
-  LessonQuestions& asked = *my_.predict.lesson;
+  LessonQuestions& asked = lessons_.questions;
   bool turned = false;
   if (asked.asked_beside_text(session_) &&
       (pending ? asked.question()->kind != AskKind::pixel : asked.bug_shown(session_)))
     turned =
-        ask_lesson_question(session_, asked, my_.lessons.column.shared ? AskPlace::below_text : AskPlace::beside_tool);
+        ask_lesson_question(session_, asked, lessons_.column.shared ? AskPlace::below_text : AskPlace::beside_tool);
   else if (pending)
-    predict_panel(session_, my_.predict);
+    predict_panel(session_, my_.pixel.predict);
   else
     way_back_to_question(session_, asked);
   const float height = ImGui::GetCursorPosY() - top + px(20);
@@ -156,14 +159,14 @@ void Regions::question(const Area& area, bool pending) {
   question_height_ = height;
   ImGui::EndChild();
   ImGui::EndChild();
-  if (turned) turn_column(my_.lessons.column);
+  if (turned) turn_column(lessons_.column);
 }
 
 void Regions::lesson_text(const Area& area) {
-  const Lesson* lesson = my_.lessons.open(session_);
+  const Lesson* lesson = lessons_.shelf.open();
   if (!lesson) {
     begin_region(session_, region_names::lesson, area, "LESSONS");
-    if (lesson_list(session_, my_.lessons.read)) open_lesson_picker(my_.picker, session_);
+    if (lesson_list(session_, lessons_.read)) my_.picker.show();
     ImGui::EndChild();
     return;
   }
@@ -182,7 +185,7 @@ void Regions::titled_text(const Area& area, const std::string& title) {
 /// The tabs of text and tool, and what belongs to the one that is shown. Answers whether the tool asks for the whole
 /// window.
 bool Regions::column_head() {
-  LessonColumn& column = my_.lessons.column;
+  LessonColumn& column = lessons_.column;
   const std::string tool = tab_label(staged());
   const std::string text_help = with_key("What the step says.", "text-or-tool"),
                     tool_help = with_key("The tool that the step is about.", "text-or-tool");
@@ -193,8 +196,9 @@ bool Regions::column_head() {
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + px(2));  // tabs are higher than buttons
   choose_stage(px(36), " ");
   ImGui::SameLine(0, px(12));
-  if (column.shows == ColumnShows::tool) return staged().head && staged().head();
-  const Lesson* lesson = my_.lessons.open(session_);
+  if (column.shows == ColumnShows::tool)
+    return (staged().facts.answers == Answers::no || !my_.pixel.asks()) && staged().head();
+  const Lesson* lesson = lessons_.shelf.open();
   if (!lesson) return false;
   const FontScope font(Face::bold);
   const std::string title = whole_words(lesson->title, ImGui::GetContentRegionAvail().x);
@@ -206,21 +210,21 @@ bool Regions::column_head() {
 
 std::optional<std::string> Regions::question_in_line() {
   if (!asks_in_line_) return std::nullopt;
-  LessonQuestions& asked = *my_.predict.lesson;
+  LessonQuestions& asked = lessons_.questions;
   if (!asked.bug_shown(session_)) {
     way_back_button(session_);
     return std::string(why_question_waits);
   }
   std::string sentence = asked.question()->text;
-  if (ask_lesson_question(session_, asked, AskPlace::in_line)) turn_column(my_.lessons.column);
+  if (ask_lesson_question(session_, asked, AskPlace::in_line)) turn_column(lessons_.column);
   return sentence;
 }
 
 /// The place that text and tool share, with tabs that choose.
 void Regions::column(const Area& area) {
-  LessonColumn& column = my_.lessons.column;
+  LessonColumn& column = lessons_.column;
   const std::string_view wanted = controls().revealing();  // by a script
-  if (wanted.starts_with(std::string(staged().name) + "/")) column.shows = ColumnShows::tool;
+  if (wanted.starts_with(std::string(staged().facts.name) + "/")) column.shows = ColumnShows::tool;
   if (wanted.starts_with("lesson/") || wanted.starts_with("predict/")) column.shows = ColumnShows::text;
   const float head = ImGui::GetFrameHeight() + px(4 + 1);
   begin_region(session_, "column", {area.min, {area.max.x, area.min.y + head}}, {}, RegionPadding::tight);
@@ -229,7 +233,7 @@ void Regions::column(const Area& area) {
   const Area below{{area.min.x, area.min.y + head}, area.max};
   if (column.shows == ColumnShows::text) return titled_text(below, {});
   // A question for a line of the listing is answered there, in the window's last line, so that the code keeps its own.
-  const LessonQuestions& asked = *my_.predict.lesson;
+  const LessonQuestions& asked = lessons_.questions;
   asks_in_line_ = asked.asked_beside_text(session_) && asked.question()->kind == AskKind::bug;
   begin_region(session_, "stage", below, {}, RegionPadding::tight);
   fill = tool(staged(), {.filled = false, .headed = true}) || fill;
@@ -243,9 +247,9 @@ void Regions::lesson(const Area& area) {
   const bool small = area.width() < px(1200) || area.height() < px(one ? 850 : 600);
   const PictureCaptions captions = small ? PictureCaptions::brief : PictureCaptions::full;
   const LessonPlan plan = plan_lesson(plan_input(area, captions), stage_place());
-  follow_column(session_, my_.lessons);
-  my_.lessons.column.shared = plan.shared && session_.document().layout.panels && my_.lessons.open(session_);
-  if (my_.lessons.column.shared)
+  follow_column(session_, lessons_);
+  lessons_.column.shared = plan.shared && session_.document().layout.panels && lessons_.shelf.open();
+  if (lessons_.column.shared)
     column(plan.text);
   else
     lesson_text(plan.text);
@@ -253,15 +257,19 @@ void Regions::lesson(const Area& area) {
     pictures({plan.pictures.min, area.max}, lesson_share, captions);
     return;
   }
-  if (stage_place() != StagePlace::none && !my_.lessons.column.shared) stage(plan.stage, plan.folded);
+  if (stage_place() != StagePlace::none && !lessons_.column.shared) stage(plan.stage, plan.folded);
   pictures(plan.pictures, stage_place() == StagePlace::beside ? 1 : lesson_share, captions);
 }
 
 /// What has less height than it needs can be scrolled. Answers whether the tool asks for the whole window, or no
 /// longer.
-bool Regions::tool(const Panel& panel, const Context& context) {
+bool Regions::tool(Panel& panel, const Context& context) {
   ImGui::BeginChild("tool");
-  const bool asks = panel.draw(context);
+  bool asks = false;
+  if (panel.facts.answers == Answers::yes && my_.pixel.asks())
+    ImGui::TextWrapped("The story is shown after your answer.");
+  else
+    asks = panel.draw(context);
   ImGui::EndChild();
   return asks;
 }
@@ -269,7 +277,7 @@ bool Regions::tool(const Panel& panel, const Context& context) {
 void Regions::fill_with_stage() {
   session_.navigate([&](Document& document) {
     document.layout.filled = region_names::bottom;
-    document.layout.bottom_tab = staged().name;
+    document.layout.bottom_tab = staged().facts.name;
   });
 }
 
@@ -278,9 +286,9 @@ void Regions::choose_stage(float width, std::string_view shown) {
   std::vector<Choice> tools{{story_names::one, "STORY", "The story of the picked pixel."}};
   int index = 0;
   for (const Panel& each : panels_) {
-    if (each.place != PanelPlace::below) continue;
-    if (each.name == session_.document().layout.stage) index = static_cast<int>(tools.size());
-    tools.push_back({each.name, each.heading, each.help});
+    if (each.facts.place != PanelPlace::below) continue;
+    if (each.facts.name == session_.document().layout.stage) index = static_cast<int>(tools.size());
+    tools.push_back({each.facts.name, each.facts.heading, each.facts.help});
   }
   const std::string_view help = shown.empty() ? "What is shown below the pictures." : "Another tool for this step.";
   if (drop_down("stage", tools, index, width, {.tooltip = help, .shown = shown}))
@@ -297,8 +305,7 @@ void Regions::stage(const Area& area, bool folded) {
   if (folded) {
     ImGui::SameLine(0, px(12));
     const float room = ImGui::GetContentRegionAvail().x;
-    if (story && !prediction_pending(session_, my_.predict))
-      value_text("stage/verdict", whole_words(story->verdict, room));
+    if (story && !my_.pixel.asks()) value_text("stage/verdict", whole_words(story->verdict, room));
   } else if (tool(staged(), {})) {
     fill_with_stage();
   }
@@ -317,7 +324,7 @@ void Regions::explore(const Area& whole) {
 
   const Area area{{whole.min.x, whole.min.y + bar}, whole.max};
   const Layout shares = session_.document().layout;
-  const bool has_left = shares.options_open || my_.history.open || my_.lessons.open(session_) != nullptr;
+  const bool has_left = shares.options_open || my_.history.open() || lessons_.shelf.open() != nullptr;
   const PictureCaptions captions = area.height() < px(600) ? PictureCaptions::brief : PictureCaptions::full;
   const ExplorePlan plan =
       plan_explore(plan_input(area, captions), {shares.left, shares.right, shares.bottom, has_left, shares.story_open});
@@ -326,7 +333,7 @@ void Regions::explore(const Area& whole) {
   float left_end = plan.left, right_begin = width - plan.right, bottom = height - grip - plan.bottom;
   const ImVec2 at = area.min;
   const float middle = has_left ? left_end + grip : 0;  // where the pictures begin
-  if (has_left) left({at, {at.x + left_end, area.max.y}}, shares.options_open || my_.history.open);
+  if (has_left) left({at, {at.x + left_end, area.max.y}}, shares.options_open || my_.history.open());
   right({{at.x + right_begin + grip, at.y}, area.max}, shares.story_open);
   drawer({{at.x + middle, at.y + bottom + grip}, {at.x + right_begin, area.max.y}});
   pictures({{at.x + middle, at.y}, {at.x + right_begin, at.y + bottom}}, explore_share, captions, TwoPictures::stay);
@@ -348,22 +355,22 @@ void Regions::explore(const Area& whole) {
 }
 
 void Regions::presenter(const Area& area) {
-  if (my_.lessons.blank) {
+  if (lessons_.blank) {
     ImGui::GetWindowDrawList()->AddRectFilled(area.min, area.max, IM_COL32(0, 0, 0, 255));
-    my_.pictures.areas = {};
-    my_.pictures.notes = {};
+    my_.pictures.drawn.areas = {};
+    my_.pictures.drawn.notes = {};
     return;
   }
-  const float caption = my_.lessons.open(session_) ? caption_height() : 0;
+  const float caption = lessons_.shelf.open() ? caption_height() : 0;
   pictures({area.min, {area.max.x, area.max.y - caption}}, lesson_share, PictureCaptions::brief);
   if (caption <= 0) return;
   begin_region(session_, "caption", {{area.min.x, area.max.y - caption}, area.max});
-  caption_strip(session_, my_.lessons);
+  caption_strip(session_, lessons_);
   ImGui::EndChild();
 }
 
 void Regions::study(const Area& area) {
-  const bool reads = my_.lessons.open(session_) && session_.document().layout.panels;
+  const bool reads = lessons_.shelf.open() && session_.document().layout.panels;
   const float text = reads ? std::round(std::min(area.width() * 0.3f, reading_width())) : 0;
   if (reads) lesson_text({area.min, {area.min.x + text, area.max.y}});
   const float share = reads ? 0.2f : 0.26f;  // of the pictures
@@ -374,10 +381,10 @@ void Regions::study(const Area& area) {
   std::vector<std::string_view> brief;
   int tab = -1;
   for (const Panel& each : panels_) {
-    if (each.place != PanelPlace::below || each.use != PanelUse::study) continue;
-    if (each.name == session_.document().layout.bottom_tab) tab = static_cast<int>(tabs.size());
-    tabs.push_back({each.name, each.heading, each.help});
-    brief.push_back(each.brief);
+    if (each.facts.place != PanelPlace::below || each.facts.use != PanelUse::study) continue;
+    if (each.facts.name == session_.document().layout.bottom_tab) tab = static_cast<int>(tabs.size());
+    tabs.push_back({each.facts.name, each.facts.heading, each.facts.help});
+    brief.push_back(each.facts.brief);
   }
   if (tab < 0) {  // a tool that looks at one pixel was open
     tab = 1;
@@ -401,18 +408,18 @@ Area Regions::first_look(const Area& area) {
   return {area.min, {area.max.x, top}};
 }
 
-void Regions::panel_in(const Panel& panel, std::string_view region, const Area& area) {
-  begin_region(session_, region, area, std::string(panel.heading));
+void Regions::panel_in(Panel& panel, std::string_view region, const Area& area) {
+  begin_region(session_, region, area, std::string(panel.facts.heading));
   panel.draw({.filled = session_.document().layout.filled == region});
   ImGui::EndChild();
 }
 
 /// A lesson's text and the options or the history, whichever are open.
 void Regions::left(const Area& area, bool has_options) {
-  if (my_.lessons.open(session_) && !has_options)
+  if (lessons_.shelf.open() && !has_options)
     return panel_in(panel(region_names::lesson), region_names::lesson, above_question(area));
   Area options = area;
-  if (my_.lessons.open(session_)) {
+  if (lessons_.shelf.open()) {
     const float height = area.height(), grip = px(6);
     float divide = std::round(std::min(height * lesson_share_, height - px(least_options_height)));
     const Area upper{area.min, {area.max.x, area.min.y + divide}};
@@ -422,7 +429,7 @@ void Regions::left(const Area& area, bool has_options) {
       lesson_share_ = divide / height;
     options.min.y += divide + grip;
   }
-  panel_in(panel(my_.history.open ? history_panel_name : region_names::left), region_names::left, options);
+  panel_in(panel(my_.history.open() ? my_.history.facts.name : region_names::left), region_names::left, options);
 }
 
 /// The pixel's story, or while it is folded the button that opens it.
@@ -445,7 +452,7 @@ void Regions::right(const Area& column, bool open) {
     if (button("pixel/fold", "›", Emphasis::quiet, {.tooltip = "Folds STORY away; ‹ opens it again."})) show(false);
     ImGui::SetCursorScreenPos(at);
   }
-  region_heading(session_, region_names::right, std::string(panel(region_names::right).heading),
+  region_heading(session_, region_names::right, std::string(panel(region_names::right).facts.heading),
                  filled ? 0 : button_width("›") + px(2));
   panel(region_names::right).draw({.filled = filled});
   ImGui::EndChild();

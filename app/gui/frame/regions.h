@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gui/frame/panel_table.h"
+#include "gui/frame/panels.h"
 #include "gui/frame/plan.h"
 
 namespace ps::gui {
@@ -16,8 +16,8 @@ namespace ps::gui {
 class Regions {
  public:
   /// All must outlive it.
-  Regions(Session& session, PanelStates& states, const std::vector<Panel>& panels)
-      : session_(session), my_(states), panels_(panels) {}
+  Regions(Session& session, Panels& panels)
+      : session_(session), my_(panels), lessons_(panels.lessons.state), panels_(panels.all()) {}
 
   /// Draws all of it. `offers_first_look`: the offer to lead a newcomer round is below the pixel's story.
   void draw(const Area& area, bool offers_first_look);
@@ -36,7 +36,7 @@ class Regions {
   void left(const Area& area, bool has_options);
   void right(const Area& column, bool open);
   void drawer(const Area& area);
-  bool tool(const Panel& panel, const Context& context);
+  bool tool(Panel& panel, const Context& context);
   void stage(const Area& area, bool folded);
   void question(const Area& area, bool pending);
   Area above_question(const Area& area);
@@ -50,16 +50,17 @@ class Regions {
                 TwoPictures two = TwoPictures::may_share);
   Area first_look(const Area& area);
   /// A region with its heading, and the panel in it. `region` is its name in the document's layout.
-  void panel_in(const Panel& panel, std::string_view region, const Area& area);
-  const Panel& panel(std::string_view name) const { return find_panel(panels_, name); }
+  void panel_in(Panel& panel, std::string_view region, const Area& area);
+  Panel& panel(std::string_view name) const { return find_panel(panels_, name); }
   /// The tool of a lesson's stage.
-  const Panel& staged() const;
+  Panel& staged() const;
   StagePlace stage_place() const;
   PlanInput plan_input(const Area& area, PictureCaptions captions) const;
 
   Session& session_;
-  PanelStates& my_;
-  const std::vector<Panel>& panels_;
+  Panels& my_;
+  LessonReading& lessons_;
+  const PanelList& panels_;
   float question_height_ = 270;  ///< of a lesson's question with its answers, window pixels
   bool offers_first_look_ = false, answered_ = false, asks_in_line_ = false;
   float lesson_share_ = 0.6f;  ///< of the left region's height, while a lesson is open

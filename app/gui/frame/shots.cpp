@@ -77,18 +77,11 @@ std::filesystem::path free_shot(const std::filesystem::path& folder, const std::
 }
 
 void add_shot_actions(Actions& actions, Session& session, const PicturesState& pictures, const AskShot& ask) {
-  actions.add({.name = "shot-pictures",
-               .label = "Save both pictures now, named after scene and time",
-               .group = "Scene",
-               .keys = "Shift+P",
-               .run = [&session, &pictures] { save_both(session, pictures); },
-               .enabled = [&session] { return session.has_scene(); }});
-  actions.add({.name = "shot-window",
-               .label = "Save a picture of the window now, named after scene and time",
-               .group = "Scene",
-               .keys = "Ctrl+P",
-               .run = [&session, ask] { ask([&session](const Image<Rgb8>& shot) { save_window(session, shot); }); },
-               .enabled = [&session] { return session.has_scene(); }});
+  ActionGroup scene(actions, "Scene", [&session] { return session.has_scene(); });
+  scene.add("shot-pictures", "Save both pictures now, named after scene and time", "Shift+P",
+            [&session, &pictures] { save_both(session, pictures); });
+  scene.add("shot-window", "Save a picture of the window now, named after scene and time", "Ctrl+P",
+            [&session, ask] { ask([&session](const Image<Rgb8>& shot) { save_window(session, shot); }); });
 }
 
 }  // namespace ps::gui

@@ -51,21 +51,12 @@ void show_panel(Session& session, std::string_view name) {
   });
 }
 
-void show_tool(Session& session, LessonColumn& column, std::string_view name) {
-  show_panel(session, name);
-  if (session.document().mode == ScreenMode::lesson) column.shows = ColumnShows::tool;
-}
-
 void make_room_for(Session& session, const Panel& tool) {
-  if (tool.use == PanelUse::pixel) {
+  if (tool.facts.use == PanelUse::pixel) {
     if (session.document().mode == ScreenMode::study) set_mode(session, ScreenMode::explore);
-  } else if (tool.group != ToolGroup::pixels) {
-    make_room_for_study(session);
+  } else if (tool.facts.group != ToolGroup::pixels) {
+    if (session.document().mode == ScreenMode::explore) set_mode(session, ScreenMode::study);
   }
-}
-
-void make_room_for_study(Session& session) {
-  if (session.document().mode == ScreenMode::explore) set_mode(session, ScreenMode::study);
 }
 
 void fill_window(Session& session, std::string_view region) {

@@ -20,13 +20,9 @@ bool leave_presenter(Session& session);
 
 /// Opens one of the panels below the pictures, by its name: in the drawer, or in a lesson on its stage.
 void show_panel(Session& session, std::string_view name);
-/// The same; where a lesson's text is in the tool's place, it makes room.
-void show_tool(Session& session, LessonColumn& column, std::string_view name);
 /// Into the mode that has room for a tool: a study for what looks at whole pictures, exploring for what looks at one
 /// pixel. A lesson has room for both, and so has either mode for the list of the worst pixels.
 void make_room_for(Session& session, const Panel& tool);
-/// From exploring to a study, where a chart has the height that it needs.
-void make_room_for_study(Session& session);
 /// Opens the region below the pictures, or folds it to one line.
 void open_bottom(Session& session, bool open);
 /// Whether it is open.

@@ -121,10 +121,11 @@ void hover_line(const std::string& hover, float room) {
 }  // namespace
 
 std::string hover_text(Session& session, const PicturesState& pictures) {
-  if (!pictures.hover) return {};
-  const auto [side, pixel] = *pictures.hover;
+  if (!pictures.mouse.hover) return {};
+  const auto [side, pixel] = *pictures.mouse.hover;
   const auto result = session.renderer(side).result();
-  if (pictures.asked && pictures.asked->pixel == pixel) return "Answer first; then this pixel is shown.";
+  if (pictures.drawn.covers.asked && pictures.drawn.covers.asked->pixel == pixel)
+    return "Answer first; then this pixel is shown.";
   const auto& levels = pictures.pictures[index_of(side)].levels;
   if (!levels.contains(pixel.x, pixel.y)) return {};
   const Rgb8 level = levels.at(pixel.x, pixel.y);

@@ -29,29 +29,18 @@ void add_gestures(Actions& actions) {
 }
 
 void add_mode_actions(Actions& actions, Session& session) {
-  const auto name = [](ScreenMode mode) { return "mode-" + std::string(mode_key(mode)); };
-  const auto add = [&](ScreenMode mode, const char* label, const char* key) {
-    actions.add({.name = name(mode),
-                 .label = label,
-                 .group = "Window",
-                 .keys = key,
-                 .run = [&session, mode] { set_mode(session, mode); },
-                 .enabled = [&session] { return session.has_scene(); },
-                 .checked = [&session, mode] { return session.document().mode == mode; }});
+  ActionGroup window(actions, "Window", [&session] { return session.has_scene(); });
+  const auto add = [&](ScreenMode mode, const char* label, const char* key, std::function<void()> run) {
+    window.add_toggle("mode-" + std::string(mode_key(mode)), label, key, std::move(run),
+                      [&session, mode] { return session.document().mode == mode; });
   };
-  add(ScreenMode::lesson, "Lesson: the text beside the pictures", "F2");
-  add(ScreenMode::explore, "Explore: all options and tools", "F3");
-  add(ScreenMode::study, "Study: one long tool beside small pictures", "F4");
-  actions.add({.name = name(ScreenMode::presenter),
-               .label = "Presenter: pictures alone, the lesson's text as a caption",
-               .group = "Window",
-               .keys = "F5",
-               .run =
-                   [&session] {
-                     if (!leave_presenter(session)) set_mode(session, ScreenMode::presenter);
-                   },
-               .enabled = [&session] { return session.has_scene(); },
-               .checked = [&session] { return session.document().mode == ScreenMode::presenter; }});
+  const auto goes_to = [&session](ScreenMode mode) { return [&session, mode] { set_mode(session, mode); }; };
+  add(ScreenMode::lesson, "Lesson: the text beside the pictures", "F2", goes_to(ScreenMode::lesson));
+  add(ScreenMode::explore, "Explore: all options and tools", "F3", goes_to(ScreenMode::explore));
+  add(ScreenMode::study, "Study: one long tool beside small pictures", "F4", goes_to(ScreenMode::study));
+  add(ScreenMode::presenter, "Presenter: pictures alone, the lesson's text as a caption", "F5", [&session] {
+    if (!leave_presenter(session)) set_mode(session, ScreenMode::presenter);
+  });
 }
 
 void copy_command(const PanelHost& host, const std::string& command) {
@@ -61,91 +50,43 @@ void copy_command(const PanelHost& host, const std::string& command) {
 }  // namespace
 
 void add_window_actions(Actions& actions, Session& session, const PicturesState& pictures, const PanelHost& host) {
-  const auto open_scene = [&session] { return session.has_scene(); };
-  actions.add(
-      {.name = "open", .label = "Open a scene file...", .group = "Scene", .keys = "Ctrl+O", .run = [&host, &session] {
-         host.ask_file(scene_question(session));
-       }});
-  actions.add({.name = "reload",
-               .label = "Reload the scene",
-               .group = "Scene",
-               .keys = "Ctrl+R",
-               .run = [&session] { session.reload(); },
-               .enabled = open_scene});
-  actions.add({.name = "save-picture",
-               .label = "Save the pictures...",
-               .group = "Scene",
-               .keys = "P",
-               .run = [&] { host.ask_file(picture_question(session, pictures)); },
-               .enabled = open_scene});
-  actions.add({.name = "save-scene",
-               .label = "Save the scene with its changes...",
-               .group = "Scene",
-               .keys = "Ctrl+S",
-               .run = [&] { host.ask_file(save_scene_question(session)); },
-               .enabled = open_scene});
-  actions.add({.name = "save-story",
-               .label = "Save the pixel's story...",
-               .group = "Scene",
-               .run = [&] { host.ask_file(save_story_question(session)); },
-               .enabled = [&session] { return session.story(inspected_side(session)) != nullptr; }});
-  actions.add({.name = "picture-b",
-               .label = "Compare with a picture file...",
-               .group = "Scene",
-               .run = [&] { host.ask_file(compare_question(session)); },
-               .enabled = open_scene});
-  actions.add({.name = "drop-picture-b",
-               .label = "Render B again instead of the file",
-               .group = "Scene",
-               .run = [&session] { session.close_picture_b(); },
-               .enabled = [&session] { return session.picture_b() != nullptr; }});
-  actions.add({.name = "copy-permalink",
-               .label = "Copy permalink",
-               .group = "Scene",
-               .keys = "C",
-               .run =
-                   [&] {
-                     host.copy(session.permalink(),
-                               "The permalink is on the clipboard. 'pixelscope-cli render --permalink TEXT --out "
-                               "FILE.png' renders the picture; 'pixelscope --permalink TEXT' opens the window.");
-                   },
-               .enabled = open_scene});
-  actions.add({.name = "copy-command",
-               .label = "Copy the command that renders this picture",
-               .group = "Scene",
-               .keys = "Shift+C",
-               .run = [&] { copy_command(host, linked_command(session.document(), LinkedCommand::render)); },
-               .enabled = open_scene});
-  actions.add({.name = "copy-inspect-command",
-               .label = "Copy the command that prints this pixel's story",
-               .group = "Scene",
-               .run = [&] { copy_command(host, linked_command(session.document(), LinkedCommand::inspect)); },
-               .enabled = [&session] { return session.has_scene() && session.document().pixel.x >= 0; }});
-  actions.add({.name = "copy-window-command",
-               .label = "Copy the command that opens this screen",
-               .group = "Scene",
-               .run = [&] { copy_command(host, window_command(session.document())); },
-               .enabled = open_scene});
-  actions.add({.name = "save-screen",
-               .label = "Save the screen as a file...",
-               .group = "Scene",
-               .keys = "Ctrl+Shift+S",
-               .run = [&] { host.ask_file(save_screen_question(session)); },
-               .enabled = open_scene});
-  actions.add({.name = "undo",
-               .label = "Undo",
-               .group = "Edit",
-               .keys = "Ctrl+Z",
-               .kind = ActionKind::repeat,
-               .run = [&session] { session.undo(); },
-               .enabled = [&session] { return session.can_undo(); }});
-  actions.add({.name = "redo",
-               .label = "Redo",
-               .group = "Edit",
-               .keys = "Ctrl+Shift+Z Ctrl+Y",
-               .kind = ActionKind::repeat,
-               .run = [&session] { session.redo(); },
-               .enabled = [&session] { return session.can_redo(); }});
+  ActionGroup(actions, "Scene").add("open", "Open a scene file...", "Ctrl+O", [&] {
+    host.ask_file(scene_question(session));
+  });
+  ActionGroup scene(actions, "Scene", [&session] { return session.has_scene(); });
+  scene.add("reload", "Reload the scene", "Ctrl+R", [&session] { session.reload(); });
+  scene.add("save-picture", "Save the pictures...", "P", [&] { host.ask_file(picture_question(session, pictures)); });
+  scene.add("save-scene", "Save the scene with its changes...", "Ctrl+S",
+            [&] { host.ask_file(save_scene_question(session)); });
+  ActionGroup(actions, "Scene", [&session] {
+    return session.story(inspected_side(session)) != nullptr;
+  }).add("save-story", "Save the pixel's story...", "", [&] { host.ask_file(save_story_question(session)); });
+  scene.add("picture-b", "Compare with a picture file...", "", [&] { host.ask_file(compare_question(session)); });
+  ActionGroup(actions, "Scene", [&session] {
+    return session.picture_b() != nullptr;
+  }).add("drop-picture-b", "Render B again instead of the file", "", [&session] { session.close_picture_b(); });
+  scene.add("copy-permalink", "Copy permalink", "C", [&] {
+    host.copy(session.permalink(),
+              "The permalink is on the clipboard. 'pixelscope-cli render --permalink TEXT --out FILE.png' renders the "
+              "picture; 'pixelscope --permalink TEXT' opens the window.");
+  });
+  scene.add("copy-command", "Copy the command that renders this picture", "Shift+C",
+            [&] { copy_command(host, linked_command(session.document(), LinkedCommand::render)); });
+  ActionGroup(actions, "Scene", [&session] {
+    return session.has_scene() && session.document().pixel.x >= 0;
+  }).add("copy-inspect-command", "Copy the command that prints this pixel's story", "", [&] {
+    copy_command(host, linked_command(session.document(), LinkedCommand::inspect));
+  });
+  scene.add("copy-window-command", "Copy the command that opens this screen", "",
+            [&] { copy_command(host, window_command(session.document())); });
+  scene.add("save-screen", "Save the screen as a file...", "Ctrl+Shift+S",
+            [&] { host.ask_file(save_screen_question(session)); });
+  ActionGroup(actions, "Edit", [&session] {
+    return session.can_undo();
+  }).add_repeated("undo", "Undo", "Ctrl+Z", [&session] { session.undo(); });
+  ActionGroup(actions, "Edit", [&session] {
+    return session.can_redo();
+  }).add_repeated("redo", "Redo", "Ctrl+Shift+Z Ctrl+Y", [&session] { session.redo(); });
   add_mode_actions(actions, session);
   add_gestures(actions);
 }

@@ -30,7 +30,7 @@ std::vector<Chord> parse_chords(std::string_view text) {
 
 }  // namespace
 
-void Actions::add(Action action) {
+Action& Actions::add(Action action) {
   PS_ASSERT(!find(action.name), "action names are unique");
   PS_ASSERT((action.kind == ActionKind::hold) == static_cast<bool>(action.run_hold), "hold actions have run_hold");
   for (const Chord& chord : parse_chords(action.keys)) {
@@ -38,7 +38,7 @@ void Actions::add(Action action) {
     bindings_.push_back({chord, actions_.size(), action.by_place});
   }
   for (const Chord& chord : parse_chords(action.borrowed_keys)) borrowed_.push_back({chord, actions_.size()});
-  actions_.push_back(std::move(action));
+  return actions_.emplace_back(std::move(action));
 }
 
 const Action* Actions::find(std::string_view name) const {

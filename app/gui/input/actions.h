@@ -56,8 +56,8 @@ struct PaletteEntry {
 
 class Actions {
  public:
-  /// Adds an action; its name must be new and its default chords must be free.
-  void add(Action action);
+  /// Adds an action; its name must be new and its default chords must be free. Answers it, valid until the next one.
+  Action& add(Action action);
   const std::vector<Action>& all() const { return actions_; }
   void add_gesture(Gesture gesture) { gestures_.push_back(std::move(gesture)); }
   const std::vector<Gesture>& gestures() const { return gestures_; }
@@ -107,6 +107,36 @@ class Actions {
   std::vector<Binding> bindings_, borrowed_;
   std::string last_by_key_;
   std::vector<std::pair<Key, std::size_t>> held_;  // place of the key, action
+};
+
+/// Adds the common actions of one group.
+class ActionGroup {
+ public:
+  /// `enabled`: when they are; empty = always.
+  ActionGroup(Actions& actions, std::string group, std::function<bool()> enabled = {})
+      : actions_(actions), group_(std::move(group)), enabled_(std::move(enabled)) {}
+  Action& add(std::string name, std::string label, std::string keys, std::function<void()> run) {
+    return actions_.add({.name = std::move(name),
+                         .label = std::move(label),
+                         .group = group_,
+                         .keys = std::move(keys),
+                         .run = std::move(run),
+                         .enabled = enabled_});
+  }
+  /// One that runs also while its key repeats.
+  void add_repeated(std::string name, std::string label, std::string keys, std::function<void()> run) {
+    add(std::move(name), std::move(label), std::move(keys), std::move(run)).kind = ActionKind::repeat;
+  }
+  /// One that menus show with a tick while `checked`.
+  void add_toggle(std::string name, std::string label, std::string keys, std::function<void()> run,
+                  std::function<bool()> checked) {
+    add(std::move(name), std::move(label), std::move(keys), std::move(run)).checked = std::move(checked);
+  }
+
+ private:
+  Actions& actions_;
+  std::string group_;
+  std::function<bool()> enabled_;
 };
 
 }  // namespace ps::gui

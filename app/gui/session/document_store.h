@@ -42,7 +42,7 @@ class DocumentStore {
   void edit(const std::string& what, const std::string& drag, const std::function<void(Document&)>& apply);
   void edit(const std::string& what, const std::function<void(Document&)>& apply) { edit(what, {}, apply); }
   void end_drag();
-  /// Takes back what the steps with this `drag` have changed, which leaves nothing to undo or redo. Answers whether
+  /// Takes back what the steps with this `drag` have changed, which leaves no step to undo or redo. Answers whether
   /// there was something.
   bool cancel_drag(const std::string& drag);
   void set_settings(Side side, const Settings& settings, const std::string& what, const std::string& drag = {});

@@ -18,7 +18,7 @@ struct SessionHost {
   std::function<void(const std::string& key, std::string lines)> remember_lines;  ///< a list, one entry a line
 };
 
-/// What was loaded, or why it could not be.
+/// A document that was loaded, or why it could not be.
 struct Loaded {
   std::string name;
   std::optional<Document> document;

@@ -24,4 +24,10 @@ class PickedObject {
   std::string scene_;
 };
 
+/// The object that gizmos and numbers act on, wherever they are shown.
+struct ObjectSelection {
+  PickedObject object;
+  bool gizmo = false;  ///< it can be moved, turned and scaled where it is shown
+};
+
 }  // namespace ps::gui

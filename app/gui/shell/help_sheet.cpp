@@ -7,6 +7,7 @@
 
 #include "gui/base/values.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/overlay.h"
 
 namespace ps::gui {
 namespace {
@@ -90,14 +91,8 @@ void HelpSheet::draw(const Actions& actions) {
   if (!open_) return;
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const ImVec2 size{std::min(px(1260), display.x - px(40)), std::min(px(860), display.y - px(40))};
-  ImGui::SetNextWindowPos({(display.x - size.x) / 2, (display.y - size.y) / 2});
-  ImGui::SetNextWindowSize(size);
-  ImGui::SetNextWindowFocus();
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(24), px(16)});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette().field);
-  ImGui::Begin("##help", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+  const Overlay sheet("##help", {(display.x - size.x) / 2, (display.y - size.y) / 2}, size,
+                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove, just_opened_);
   {
     const NameScope names("help");
     const FontScope title(Face::heading);
@@ -134,14 +129,7 @@ void HelpSheet::draw(const Actions& actions) {
   }
   ImGui::EndGroup();
   ImGui::EndChild();
-  const bool outside =
-      ImGui::IsMouseClicked(0) &&
-      !ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows | ImGuiHoveredFlags_AllowWhenBlockedByPopup |
-                              ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
-  if (outside) open_ = false;
-  ImGui::End();
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar(3);
+  if (sheet.left()) open_ = false;
 }
 
 }  // namespace ps::gui

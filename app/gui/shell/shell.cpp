@@ -187,55 +187,27 @@ void Shell::Impl::add_actions(Shell& shell) {
     shell.remember("window/scale", fmt::format("{}", theme().scale()));
     shell.wake();
   };
-  actions.add({.name = "help", .label = "Keys and commands", .group = "Window", .keys = "? F1", .run = [this] {
-                 help.toggle();
-               }});
-  actions.add({.name = "palette", .label = "Find a command", .group = "Window", .keys = "Ctrl+K", .run = [this] {
-                 palette.open();
-               }});
-  actions.add({.name = "larger-type",
-               .label = "Larger text",
-               .group = "Window",
-               .keys = "Ctrl++ Ctrl+= Ctrl+KeypadPlus",
-               .run = [zoom] { zoom(1.125); }});
-  actions.add({.name = "smaller-type",
-               .label = "Smaller text",
-               .group = "Window",
-               .keys = "Ctrl+- Ctrl+KeypadMinus",
-               .run = [zoom] { zoom(1 / 1.125); }});
-  actions.add(
-      {.name = "standard-type", .label = "Standard text size", .group = "Window", .keys = "Ctrl+0", .run = [zoom] {
-         zoom(0);
-       }});
-  actions.add({.name = "dark-theme",
-               .label = "Dark theme",
-               .group = "Window",
-               .run =
-                   [&shell] {
-                     const bool dark = theme().brightness() == Brightness::dark;
-                     theme().set_brightness(dark ? Brightness::light : Brightness::dark);
-                     shell.remember("window/theme", dark ? "light" : "dark");
-                     shell.wake();
-                   },
-               .checked = [] { return theme().brightness() == Brightness::dark; }});
-  actions.add({.name = "fullscreen",
-               .label = "Full screen",
-               .group = "Window",
-               .keys = "F11",
-               .run = [&shell] { shell.set_fullscreen(!shell.fullscreen()); },
-               .checked = [&shell] { return shell.fullscreen(); }});
-  actions.add(
-      {.name = "focus-next", .label = "Keyboard into the panels, and on", .group = "Window", .keys = "F6", .run = [] {
-         key_focus().go_to_region(1);
-       }});
-  actions.add({.name = "focus-before",
-               .label = "Keyboard to the panel before",
-               .group = "Window",
-               .keys = "Shift+F6",
-               .run = [] { key_focus().go_to_region(-1); }});
-  actions.add({.name = "quit", .label = "Quit", .group = "Window", .keys = "Ctrl+Q", .run = [this] {
-                 if (content->may_close()) ended = true;
-               }});
+  ActionGroup group(actions, "Window");
+  group.add("help", "Keys and commands", "? F1", [this] { help.toggle(); });
+  group.add("palette", "Find a command", "Ctrl+K", [this] { palette.open(); });
+  group.add("larger-type", "Larger text", "Ctrl++ Ctrl+= Ctrl+KeypadPlus", [zoom] { zoom(1.125); });
+  group.add("smaller-type", "Smaller text", "Ctrl+- Ctrl+KeypadMinus", [zoom] { zoom(1 / 1.125); });
+  group.add("standard-type", "Standard text size", "Ctrl+0", [zoom] { zoom(0); });
+  const auto turn_theme = [&shell] {
+    const bool dark = theme().brightness() == Brightness::dark;
+    theme().set_brightness(dark ? Brightness::light : Brightness::dark);
+    shell.remember("window/theme", dark ? "light" : "dark");
+    shell.wake();
+  };
+  group.add_toggle("dark-theme", "Dark theme", "", turn_theme, [] { return theme().brightness() == Brightness::dark; });
+  group.add_toggle(
+      "fullscreen", "Full screen", "F11", [&shell] { shell.set_fullscreen(!shell.fullscreen()); },
+      [&shell] { return shell.fullscreen(); });
+  group.add("focus-next", "Keyboard into the panels, and on", "F6", [] { key_focus().go_to_region(1); });
+  group.add("focus-before", "Keyboard to the panel before", "Shift+F6", [] { key_focus().go_to_region(-1); });
+  group.add("quit", "Quit", "Ctrl+Q", [this] {
+    if (content->may_close()) ended = true;
+  });
 }
 
 /// The user's own keys. A script presses the standard ones.

@@ -8,6 +8,8 @@ namespace ps::gui {
 class Overlay {
  public:
   Overlay(const char* id, ImVec2 corner, ImVec2 size, ImGuiWindowFlags flags, bool& just_opened);
+  /// In the middle, as high as its content; what is in it may have lists that open.
+  Overlay(const char* id, float width, bool& just_opened);
   ~Overlay();
   Overlay(const Overlay&) = delete;
   Overlay& operator=(const Overlay&) = delete;
@@ -16,6 +18,8 @@ class Overlay {
   bool left() const;
 
  private:
+  void begin(const char* id, ImGuiWindowFlags flags);
+
   bool& just_opened_;
 };
 

@@ -72,18 +72,18 @@ void draw_projected_figure(const Figure& figure, float low) {
 
 float caption_height() { return lines_of_page * text_line_height(Face::caption) + px(40); }
 
-void caption_strip(Session& session, LessonShelf& shelf) {
+void caption_strip(Session& session, LessonReading& state) {
   const NameScope scope("caption");
-  const Lesson* lesson = shelf.open(session);
+  const Lesson* lesson = state.shelf.open();
   if (!lesson || lesson->steps.empty()) return;
   const int count = static_cast<int>(lesson->steps.size());
   const int index = std::clamp(session.document().step, 0, count - 1);
   const LessonStep& step = lesson->steps[static_cast<std::size_t>(index)];
-  ReadPage& caption = shelf.caption;
+  ReadPage& caption = state.caption;
   follow_step(session, caption);
   const FontScope font(Face::caption);
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const std::vector<TextBlock> blocks = spoken_blocks(step, shelf.holds_back);
+  const std::vector<TextBlock> blocks = spoken_blocks(step, state.holds_back);
   std::vector<TextLine> lines;
   for (std::size_t i = 0; i < blocks.size(); ++i)
     lay_out(blocks[i], i < step.blocks.size() ? mark_of(blocks[i]) : "→", Face::caption, room.x, lines);
@@ -96,7 +96,7 @@ void caption_strip(Session& session, LessonShelf& shelf) {
     value_text("place", fmt::format("{}   {} of {}, page {} of {}", step.title, index + 1, count, caption.page + 1,
                                     caption.pages));
   }
-  note_read(shelf, *lesson, index, caption);
+  note_read(state, *lesson, index, caption);
   const auto page = static_cast<std::size_t>(caption.page);
   const std::size_t end = page + 1 < starts.size() ? starts[page + 1] : lines.size();
   ImVec2 at = ImGui::GetCursorScreenPos();

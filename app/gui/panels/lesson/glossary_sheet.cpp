@@ -5,8 +5,6 @@
 
 #include "base/check.h"
 #include "base/word_search.h"
-#include "engine/glossary.h"
-#include "gui/base/values.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/overlay.h"
 #include "gui/widgets/widgets.h"
@@ -41,9 +39,11 @@ std::string all_forms(const GlossaryEntry& entry) {
   return forms;
 }
 
+}  // namespace
+
 /// The term in bold on a line of its own, its definition below.
-std::optional<LinkTarget> draw_entry(Session& session, GlossaryState& state, const GlossaryEntry& entry, float width) {
-  const bool marked = entry.term == state.term;
+std::optional<LinkTarget> GlossarySheet::draw_entry(const GlossaryEntry& entry, float width) {
+  const bool marked = entry.term == term_;
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const float edge = px(8), inside = width - 2 * edge;
   std::vector<TextLine> lines;
@@ -61,44 +61,54 @@ std::optional<LinkTarget> draw_entry(Session& session, GlossaryState& state, con
   float y = from.y + px(4) + ImGui::GetTextLineHeight();
   for (const TextLine& line : lines) {
     ImGui::SetCursorScreenPos({from.x + edge, y + line.gap});
-    if (auto clicked = draw_line(session, line)) followed = std::move(clicked);
+    if (auto clicked = draw_line(session_, line)) followed = std::move(clicked);
     y += line.gap + line.height;
   }
   ImGui::SetCursorScreenPos(from);
   ImGui::Dummy({width, height + px(6)});
-  if (marked && state.scroll_for > 0) {
+  if (marked && scroll_for_ > 0) {
     ImGui::SetScrollHereY(0.3f);
-    --state.scroll_for;
+    --scroll_for_;
   }
   controls().record("term/" + entry.term, from, {to.x, from.y + px(4) + ImGui::GetTextLineHeight()},
                     plain_text(entry.definition));
   return followed;
 }
 
-}  // namespace
-
-void open_glossary(GlossaryState& state, const std::string& term) {
-  state.open = state.just_opened = true;
-  state.search.clear();
-  state.term = term;
-  state.scroll_for = frames_to_scroll;
+void GlossarySheet::show(const std::string& term) {
+  open_ = just_opened_ = true;
+  search_.clear();
+  term_ = term;
+  scroll_for_ = frames_to_scroll;
 }
 
-std::optional<LinkTarget> glossary_sheet(Session& session, GlossaryState& state) {
-  values().publish("glossary/open", state.open);
-  if (!state.open) return {};
+void GlossarySheet::add_actions(Actions& actions) {
+  ActionGroup(actions, "Lesson").add("glossary", "Glossary: terms and what they mean", "Shift+G", [this] { show({}); });
+}
+
+void GlossarySheet::take(const PanelMessage& message) {
+  const auto* target = std::get_if<LinkTarget>(&message);
+  if (target && target->link.kind == LinkKind::term) show(target->link.target);
+}
+
+void GlossarySheet::offer(Values& out) {
+  out.offer("glossary/open", [this] { return open_; });
+}
+
+bool GlossarySheet::draw(const Context&) {
+  if (!open_) return false;
   const NameScope names("glossary");
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const ImVec2 size{std::min(px(760), display.x - px(40)), std::min(px(720), display.y - px(40))};
   const Overlay overlay("##glossary", {(display.x - size.x) / 2, (display.y - size.y) / 2}, size,
-                        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove, state.just_opened);
+                        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove, just_opened_);
   {
     const FontScope title(Face::heading);
     ImGui::TextUnformatted("Glossary");
   }
   ImGui::SameLine(size.x - px(24) - px(84));
-  if (button("close", "Close", Emphasis::plain, {.width = px(84)})) state.open = false;
-  search_box("search", state.search, "Search terms and definitions");
+  if (button("close", "Close", Emphasis::plain, {.width = px(84)})) open_ = false;
+  search_box("search", search_, "Search terms and definitions");
   ImGui::Dummy({0, px(4)});
   std::optional<LinkTarget> followed;
   ImGui::BeginChild("##terms");
@@ -108,20 +118,17 @@ std::optional<LinkTarget> glossary_sheet(Session& session, GlossaryState& state)
   std::size_t shown = 0;
   if (read.entries)
     for (const GlossaryEntry& entry : *read.entries) {
-      if (!has_words(state.search, {entry.term, all_forms(entry), plain_text(entry.definition)})) continue;
+      if (!has_words(search_, {entry.term, all_forms(entry), plain_text(entry.definition)})) continue;
       ++shown;
-      if (auto clicked = draw_entry(session, state, entry, width)) followed = std::move(clicked);
+      if (auto clicked = draw_entry(entry, width)) followed = std::move(clicked);
     }
   if (read.entries && shown == 0) quiet_text("No term or definition has these words.");
   ImGui::EndChild();
-  if (overlay.left()) state.open = false;
-  if (!followed) return {};
-  if (followed->link.kind == LinkKind::term) {
-    open_glossary(state, followed->link.target);
-    return {};
-  }
-  state.open = false;
-  return followed;
+  if (overlay.left()) open_ = false;
+  if (!followed) return false;
+  if (followed->link.kind != LinkKind::term) open_ = false;
+  host_.send(*followed);
+  return false;
 }
 
 }  // namespace ps::gui

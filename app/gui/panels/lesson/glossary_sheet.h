@@ -2,22 +2,30 @@
 #include <optional>
 #include <string>
 
+#include "engine/glossary.h"
 #include "gui/panels/lesson/text_view.h"
+#include "gui/panels/sheet.h"
 
 namespace ps::gui {
 
 /// The glossary over the window.
-struct GlossaryState {
-  bool open = false, just_opened = false;
-  std::string search;
-  std::string term;    ///< that is marked: what was followed here
-  int scroll_for = 0;  ///< frames in which the marked term is still to be brought into view
+class GlossarySheet final : public Sheet {
+ public:
+  explicit GlossarySheet(const PanelHost& host) : Sheet(host, "glossary") {}
+  /// A link of a definition that leads out of it also closes it.
+  bool draw(const Context& context) override;
+  void add_actions(Actions& actions) override;
+  void offer(Values& out) override;
+  void take(const PanelMessage& message) override;
+
+ private:
+  /// Opens it at this term, or at its begin if the term is empty.
+  void show(const std::string& term);
+  std::optional<LinkTarget> draw_entry(const GlossaryEntry& entry, float width);
+
+  std::string search_;
+  std::string term_;    ///< that is marked: what was followed here
+  int scroll_for_ = 0;  ///< frames in which the marked term is still to be brought into view
 };
-
-/// Opens it at this term, or at its begin if the term is empty.
-void open_glossary(GlossaryState& state, const std::string& term = {});
-
-/// Draws it while it is open. Answers a link of a definition that leads out of it, which also closes it.
-std::optional<LinkTarget> glossary_sheet(Session& session, GlossaryState& state);
 
 }  // namespace ps::gui

@@ -4,20 +4,35 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <utility>
 #include <vector>
 
+#include "gui/base/region_names.h"
 #include "gui/panels/lesson/claim_view.h"
 #include "gui/panels/lesson/step_options.h"
 #include "gui/panels/lesson/text_needs.h"
 #include "gui/panels/lesson/text_pages.h"
+#include "gui/panels/lesson/text_view.h"
 #include "gui/platform/imgui_version.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/flash.h"
 #include "gui/widgets/redraw.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
 namespace {
+
+constexpr const char* read_lessons_key = "app/read-lessons";
+
+/// From lines of a name each.
+std::set<std::string> parse_read_lessons(const std::string& lines) {
+  std::set<std::string> names;
+  std::istringstream text(lines);
+  for (std::string line; std::getline(text, line);)
+    if (!line.empty()) names.insert(line);
+  return names;
+}
 
 TextBlock block_of(BlockKind kind, const std::string& text) {
   TextBlock block;
@@ -68,7 +83,7 @@ void lay_out_claims(OwnBlocks& own, const LessonClaims& claims, float width, std
   }
 }
 
-OwnBlocks own_blocks(const Session& session, const LessonShelf& shelf, const Lesson& lesson, const LessonStep& step) {
+OwnBlocks own_blocks(const Session& session, const LessonReading& state, const Lesson& lesson, const LessonStep& step) {
   OwnBlocks own{block_of(BlockKind::paragraph, lesson.source),
                 block_of(BlockKind::paragraph, step.title),
                 {},
@@ -77,12 +92,12 @@ OwnBlocks own_blocks(const Session& session, const LessonShelf& shelf, const Les
                 block_of(BlockKind::heading, "Measured"),
                 {},
                 {}};
-  if (shelf.verdict) {
-    own.question = block_of(BlockKind::paragraph, shelf.verdict->question);
-    own.verdict = block_of(BlockKind::paragraph, shelf.verdict->sentence);
+  if (state.verdict) {
+    own.question = block_of(BlockKind::paragraph, state.verdict->question);
+    own.verdict = block_of(BlockKind::paragraph, state.verdict->sentence);
   }
-  if (!shelf.holds_back)
-    for (const Claim& claim : shelf.claims.claims()) own.claims.push_back(block_of(BlockKind::paragraph, claim.text));
+  if (!state.holds_back)
+    for (const Claim& claim : state.claims.claims()) own.claims.push_back(block_of(BlockKind::paragraph, claim.text));
   if (session.document().mode == ScreenMode::explore) return own;  // they are below in the options panel
   for (const Option* option : step_options(step)) {
     TextBlock& block = own.options.emplace_back(block_of(BlockKind::paragraph, std::string(option->label) + " "));
@@ -92,7 +107,7 @@ OwnBlocks own_blocks(const Session& session, const LessonShelf& shelf, const Les
 }
 
 /// What the column shows from top to bottom.
-std::vector<TextLine> column_of(const Session& session, LessonShelf& shelf, const Lesson& lesson, int index,
+std::vector<TextLine> column_of(const Session& session, LessonReading& state, const Lesson& lesson, int index,
                                 OwnBlocks& own) {
   const LessonStep& step = lesson.steps[static_cast<std::size_t>(index)];
   const float width = ImGui::GetContentRegionAvail().x;
@@ -107,11 +122,11 @@ std::vector<TextLine> column_of(const Session& session, LessonShelf& shelf, cons
   }
   lay_out(own.title, {}, Face::heading, width, lines);
   for (const TextBlock& block : step.blocks) add(block, mark_of(block));
-  if (shelf.verdict) lay_out_verdict(own, *shelf.verdict, width, lines);
-  if (!shelf.holds_back)
+  if (state.verdict) lay_out_verdict(own, *state.verdict, width, lines);
+  if (!state.holds_back)
     for (const TextBlock& hint : step.hints) add(hint, "→");
   for (const TextBlock& option : own.options) add(option, {});
-  lay_out_claims(own, shelf.claims, width, lines);
+  lay_out_claims(own, state.claims, width, lines);
   return lines;
 }
 
@@ -134,26 +149,26 @@ double line_length(const std::vector<TextLine>& lines) {
 
 /// Shows the page with this line.
 void turn_to_line(const std::vector<TextLine>& lines, std::vector<TextLine>::const_iterator line,
-                  const std::vector<std::size_t>& starts, LessonShelf& shelf) {
+                  const std::vector<std::size_t>& starts, LessonReading& state) {
   if (line == lines.end()) return;
   const auto place = static_cast<std::size_t>(line - lines.begin());
-  shelf.text.page = static_cast<int>(std::upper_bound(starts.begin(), starts.end(), place) - starts.begin()) - 1;
+  state.text.page = static_cast<int>(std::upper_bound(starts.begin(), starts.end(), place) - starts.begin()) - 1;
 }
 
-void turn_to_option(const std::vector<TextLine>& lines, const std::vector<std::size_t>& starts, LessonShelf& shelf) {
-  const std::string key = std::exchange(shelf.shown_option, {});
+void turn_to_option(const std::vector<TextLine>& lines, const std::vector<std::size_t>& starts, LessonReading& state) {
+  const std::string key = std::exchange(state.shown_option, {});
   if (key.empty()) return;
   const auto line = std::find_if(lines.begin(), lines.end(), [&](const TextLine& each) {
     return std::any_of(each.pieces.begin(), each.pieces.end(),
                        [&](const TextPiece& piece) { return piece.control && piece.span->link.target == key; });
   });
-  turn_to_line(lines, line, starts, shelf);
+  turn_to_line(lines, line, starts, state);
 }
 
-void turn_to_verdict(const std::vector<TextLine>& lines, const std::vector<std::size_t>& starts, LessonShelf& shelf) {
-  if (!shelf.verdict || !std::exchange(shelf.turn_to_verdict, false)) return;
+void turn_to_verdict(const std::vector<TextLine>& lines, const std::vector<std::size_t>& starts, LessonReading& state) {
+  if (!state.verdict || !std::exchange(state.questions.turn_to_verdict, false)) return;
   const auto line = std::find_if(lines.begin(), lines.end(), [](const TextLine& each) { return each.asks_again; });
-  turn_to_line(lines, line, starts, shelf);
+  turn_to_line(lines, line, starts, state);
 }
 
 /// The wheel turns pages, unless it belongs to a control under the pointer.
@@ -170,44 +185,47 @@ void draw_judged_bar(const TextLine& line, ImVec2 at, bool first) {
                                             colour_u32(colour));
 }
 
-void ask_again_button(LessonShelf& shelf) {
-  shelf.ask_again |=
+void ask_again_button(LessonReading& state) {
+  state.ask_again |=
       button("ask-again", "Ask again", Emphasis::quiet,
              {.tooltip = "The question is open again, with this step's pixel and options.", .disabled = {}});
 }
 
-void draw_page(Session& session, LessonShelf& shelf, const std::vector<TextLine>& lines,
+void draw_page(const PanelHost& host, LessonReading& state, const std::vector<TextLine>& lines,
                const std::vector<ClaimLayout>& measured) {
+  Session& session = host.session;
   std::vector<PagePart> parts;
   parts.reserve(lines.size());
   for (const TextLine& line : lines) parts.push_back({line.gap, line.height, line.begins_block, line.stays_with_next});
   const auto starts = page_starts(parts, ImGui::GetContentRegionAvail().y);
-  ReadPage& read = shelf.text;
+  ReadPage& read = state.text;
   read.seen.now();
   read.line_length = line_length(lines);
   read.pages = static_cast<int>(starts.size());
-  turn_to_option(lines, starts, shelf);
-  turn_to_verdict(lines, starts, shelf);
+  turn_to_option(lines, starts, state);
+  turn_to_verdict(lines, starts, state);
   read.page = std::clamp(read.page, 0, read.pages - 1);
   const auto page = static_cast<std::size_t>(read.page);
   const std::size_t end = page + 1 < starts.size() ? starts[page + 1] : lines.size();
   const bool claims_in_sight = std::any_of(lines.begin() + static_cast<std::ptrdiff_t>(starts[page]),
                                            lines.begin() + static_cast<std::ptrdiff_t>(end),
                                            [](const TextLine& line) { return line.claim.has_value(); });
-  if (claims_in_sight && shelf.claims.measure_changed(session)) redraw_after(0);  // these lines are of before
+  if (claims_in_sight && state.claims.measure_changed(session)) redraw_after(0);  // these lines are of before
+  std::optional<LinkTarget> followed;
   ImVec2 at = ImGui::GetCursorScreenPos();
   for (std::size_t i = starts[page]; i < end; ++i) {
     if (i > starts[page]) at.y += lines[i].gap;
     ImGui::SetCursorScreenPos(at);
     if (lines[i].judged) draw_judged_bar(lines[i], at, i == starts[page] || !lines[i - 1].judged);
     if (lines[i].asks_again)
-      ask_again_button(shelf);
+      ask_again_button(state);
     else if (lines[i].claim)
-      claim_line(session, shelf.claims, *lines[i].claim, measured.at(*lines[i].claim));
+      claim_line(session, state.claims, *lines[i].claim, measured.at(*lines[i].claim));
     else if (auto clicked = draw_line(session, lines[i]))
-      shelf.followed = std::move(clicked);
+      followed = std::move(clicked);
     at.y += lines[i].height;
   }
+  if (followed) host.send(*followed);
 }
 
 /// "step 2 of 7, page 1 of 2", and the same in fewer signs, the shortest last.
@@ -232,8 +250,8 @@ float small_width(const std::string& text) {
 }
 
 /// Back, Next and the rest, and where one is.
-void buttons(Session& session, LessonShelf& shelf, const Lesson& lesson, int index) {
-  const ReadPage& read = shelf.text;
+void buttons(Session& session, LessonReading& state, const Lesson& lesson, int index) {
+  const ReadPage& read = state.text;
   const int count = static_cast<int>(lesson.steps.size());
   const float space = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x;
   const std::vector<std::string> places = place_texts(index, count, read);
@@ -253,7 +271,7 @@ void buttons(Session& session, LessonShelf& shelf, const Lesson& lesson, int ind
   if (button("again", narrow ? "↺" : "Again", Emphasis::quiet,
              {.tooltip = "Puts this step's settings back.", .disabled = {}})) {
     go_to_step(session, lesson.name, index);
-    shelf.column.step = -1;  // begins with its text
+    state.column.step = -1;  // begins with its text
   }
   ImGui::SameLine();
   const bool close = button("close", "×", Emphasis::quiet, {.tooltip = "Closes the lesson.", .disabled = {}});
@@ -275,22 +293,85 @@ void buttons(Session& session, LessonShelf& shelf, const Lesson& lesson, int ind
 
 }  // namespace
 
-void lesson_panel(Session& session, LessonShelf& shelf) {
+LessonReading::LessonReading(const PanelHost& host)
+    : shelf(host.session, host.wake), claims(host.wake),
+      questions(host.wake, host.remember, shelf), read{parse_read_lessons(host.remembered(read_lessons_key)),
+                                                       [&host](std::string lines) {
+                                                         host.remember_lines(read_lessons_key, std::move(lines));
+                                                       }} {}
+
+LessonPanel::LessonPanel(const PanelHost& host)
+    : Panel(host, {.name = region_names::lesson,
+                   .place = PanelPlace::left,
+                   .heading = "LESSON",
+                   .brief = "Lesson",
+                   .command = "Lesson",
+                   .help = "The text of a lesson's step."}),
+      state(host) {}
+
+bool LessonPanel::draw(const Context&) {
   const NameScope scope("lesson");
-  const Lesson* lesson = shelf.open(session);
-  if (!lesson || lesson->steps.empty()) return;
-  const int index = std::clamp(session.document().step, 0, static_cast<int>(lesson->steps.size()) - 1);
-  follow_step(session, shelf.text);
-  if (!shelf.holds_back) shelf.claims.follow(session, *lesson, shelf.version());
-  OwnBlocks own = own_blocks(session, shelf, *lesson, lesson->steps[static_cast<std::size_t>(index)]);
+  const Lesson* lesson = state.shelf.open();
+  if (!lesson || lesson->steps.empty()) return false;
+  const int index = std::clamp(session_.document().step, 0, static_cast<int>(lesson->steps.size()) - 1);
+  follow_step(session_, state.text);
+  if (!state.holds_back) state.claims.follow(session_, *lesson, state.shelf.version());
+  OwnBlocks own = own_blocks(session_, state, *lesson, lesson->steps[static_cast<std::size_t>(index)]);
   ImGui::BeginChild("text", {0, -(ImGui::GetFrameHeightWithSpacing() + px(2))}, false,
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  turn_by_wheel(shelf.text);
-  const std::vector<TextLine> lines = column_of(session, shelf, *lesson, index, own);
-  draw_page(session, shelf, lines, own.measured);
+  turn_by_wheel(state.text);
+  const std::vector<TextLine> lines = column_of(session_, state, *lesson, index, own);
+  draw_page(host_, state, lines, own.measured);
   ImGui::EndChild();
-  note_read(shelf, *lesson, index, shelf.text);
-  buttons(session, shelf, *lesson, index);
+  note_read(state, *lesson, index, state.text);
+  buttons(session_, state, *lesson, index);
+  return false;
+}
+
+void LessonPanel::offer(Values& out) {
+  out.offer("lesson/pages", [this] { return state.text.pages; });
+  out.offer("lesson/page", [this] { return state.text.page + 1; });
+  out.offer("lesson/column", [this] {
+    const LessonColumn& column = state.column;
+    return !column.shared ? "both" : column.shows == ColumnShows::text ? "text" : "tool";
+  });
+  out.offer("lesson/line-length", [this] { return state.text.line_length; });
+  out.offer_below("flash/", [](std::string_view name) { return script_text(flashes(name)); });
+  out.offer("question/open", [this] { return state.questions.open(); });
+  out.offer("question/given", [this] { return state.questions.given(); });
+  out.offer("question/verdict", [this] {
+    const auto verdict = shown_verdict(state.questions);
+    return verdict ? verdict->sentence : "";
+  });
+  out.offer("question/points", [this] {
+    const Judgement* verdict = state.questions.verdict();
+    return verdict ? verdict->points : 0;
+  });
+}
+
+void LessonPanel::update() {
+  state.shelf.update();
+  state.claims.hold(host_.needs_processors());
+  if (std::exchange(state.ask_again, false)) {
+    go_to_step(session_, session_.document().lesson, session_.document().step);
+    state.questions.ask_again();
+  }
+  state.verdict = shown_verdict(state.questions);
+  state.holds_back = state.questions.holds_back();
+  state.questions.hold(host_.needs_processors());
+}
+
+void LessonPanel::take(const PanelMessage& message) {
+  const auto* target = std::get_if<LinkTarget>(&message);
+  if (!target) return;
+  const TextLink& link = target->link;
+  if (link.kind == LinkKind::step) go_to_step(session_, session_.document().lesson, link.step);
+  if (link.kind == LinkKind::lesson) go_to_step(session_, link.target, link.step);
+  // In a lesson the step's text has the control, else the options panel.
+  const bool option = link.kind == LinkKind::option || link.kind == LinkKind::control;
+  if (!option || session_.document().mode != ScreenMode::lesson) return;
+  state.shown_option = link.target;
+  flash({"lesson/a/" + link.target, "lesson/b/" + link.target});
 }
 
 }  // namespace ps::gui

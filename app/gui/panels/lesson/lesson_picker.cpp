@@ -31,15 +31,12 @@ Image<Rgb8> lesson_picture(const std::string& name, int width, int height, Progr
 }
 
 /// The picture of a lesson by its number in the list; nullptr while it is being made.
-const Texture* picture_of(LessonPicker& picker, std::size_t number, int width, int height) {
-  return picker.thumbnails.find(number, width, height,
-                                [name = listed_lessons()[number].name, width, height](Prepared&, Progress& progress) {
-                                  return lesson_picture(name, width, height, progress);
-                                });
+const Texture* picture_of(Thumbnails& thumbnails, std::size_t number, int width, int height) {
+  return thumbnails.find(number, width, height,
+                         [name = listed_lessons()[number].name, width, height](Prepared&, Progress& progress) {
+                           return lesson_picture(name, width, height, progress);
+                         });
 }
-
-/// Where a click or Enter leads.
-using Chosen = std::optional<LessonPlace>;
 
 std::vector<std::size_t> readable_numbers() {
   std::vector<std::size_t> numbers;  // the lesson menu says what is wrong with the others
@@ -48,63 +45,65 @@ std::vector<std::size_t> readable_numbers() {
   return numbers;
 }
 
+std::string counted(std::size_t count, const char* one) {
+  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
 /// All lessons, a heading over each part of the course.
-Chosen lesson_tiles(LessonPicker& picker, const ReadLessons& read) {
+LessonPicker::Chosen LessonPicker::lesson_tiles() {
   Chosen chosen;
   const std::vector<std::size_t> numbers = readable_numbers();
-  PictureTiles tiles(picker.selected, numbers.size(), {.lines = 3, .reveal = picker.just_opened});
+  PictureTiles tiles(selected_, numbers.size(), {.lines = 3, .reveal = just_opened_});
   std::string_view part;
   for (const std::size_t number : numbers) {
     const ListedLesson& lesson = listed_lessons()[number];
     if (lesson.part != part) tiles.heading(lesson.part);
     part = lesson.part;
-    const bool is_read = read.names.contains(lesson.name);
+    const bool is_read = read_.names.contains(lesson.name);
     if (tiles.tile({.name = lesson.name,
                     .title = lesson.title,
                     .note = short_length(lesson.length),
                     .ticked = is_read,
-                    .tooltip = lesson_tooltip(lesson, read),
-                    .picture = [&](int width, int height) { return picture_of(picker, number, width, height); }}))
+                    .tooltip = lesson_tooltip(lesson, read_),
+                    .picture = [&](int width, int height) { return picture_of(thumbnails_, number, width, height); }}))
       chosen = {lesson.name, 0};
     controls().record(lesson.name + "/read", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), is_read ? "on" : "off");
   }
   if (key_pressed(Key::enter) && !numbers.empty())
-    chosen = {listed_lessons()[numbers[static_cast<std::size_t>(picker.selected)]].name, 0};
+    chosen = {listed_lessons()[numbers[static_cast<std::size_t>(selected_)]].name, 0};
   return chosen;
 }
 
 /// What has the words of the query, best first.
-Chosen hit_rows(LessonPicker& picker, const ReadLessons& read) {
+LessonPicker::Chosen LessonPicker::hit_rows() {
   Chosen chosen;
-  const std::vector<LessonHit>& hits = picker.found.hits;
-  const int before = picker.selected, last = static_cast<int>(hits.size()) - 1;
-  if (key_pressed(Key::down)) ++picker.selected;
-  if (key_pressed(Key::up)) --picker.selected;
-  picker.selected = std::clamp(picker.selected, 0, std::max(last, 0));
+  const std::vector<LessonHit>& hits = found_.hits;
+  const int before = selected_, last = static_cast<int>(hits.size()) - 1;
+  if (key_pressed(Key::down)) ++selected_;
+  if (key_pressed(Key::up)) --selected_;
+  selected_ = std::clamp(selected_, 0, std::max(last, 0));
   for (int i = 0; i <= last; ++i) {
     const LessonHit& hit = hits[static_cast<std::size_t>(i)];
     const HitRow row{.hit = hit,
                      .lesson = listed_lessons()[hit.lesson],
                      .name = fmt::format("hit-{}", i),
-                     .ticked = read.names.contains(listed_lessons()[hit.lesson].name),
-                     .selected = i == picker.selected,
-                     .reveal = picker.selected != before};
+                     .ticked = read_.names.contains(listed_lessons()[hit.lesson].name),
+                     .selected = i == selected_,
+                     .reveal = selected_ != before};
     const int size = tile_picture_size();
-    const auto picture = [&] { return picture_of(picker, hit.lesson, size, size); };
-    if (hit_row(row, picture) || (i == picker.selected && key_pressed(Key::enter)))
+    const auto picture = [&] { return picture_of(thumbnails_, hit.lesson, size, size); };
+    if (hit_row(row, picture) || (i == selected_ && key_pressed(Key::enter)))
       chosen = {listed_lessons()[hit.lesson].name, hit.step};
   }
   return chosen;
 }
 
-std::string counted(std::size_t count, const char* one) {
-  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
-}
-
 /// How much was found.
-std::string found_text(const LessonPicker& picker) {
-  if (picker.search.find_first_not_of(' ') == std::string::npos) return counted(readable_numbers().size(), "lesson");
-  const LessonHits& found = picker.found;
+std::string LessonPicker::found_text() const {
+  if (search_.find_first_not_of(' ') == std::string::npos) return counted(readable_numbers().size(), "lesson");
+  const LessonHits& found = found_;
   if (found.hits.empty()) return "Nothing found";
   std::set<std::size_t> lessons;
   for (const LessonHit& hit : found.hits) lessons.insert(hit.lesson);
@@ -112,15 +111,15 @@ std::string found_text(const LessonPicker& picker) {
 }
 
 /// What can be done where nothing has the words, or which words were sought in their place.
-void help_with_query(LessonPicker& picker) {
-  const LessonHits& found = picker.found;
+void LessonPicker::help_with_query() {
+  const LessonHits& found = found_;
   if (!found.alike.empty()) {
     constexpr std::size_t most = 5;
     const std::vector<std::string> few(
         found.alike.begin(), found.alike.begin() + static_cast<std::ptrdiff_t>(std::min(most, found.alike.size())));
     value_paragraph("alike", fmt::format("No lesson has these words as typed. Similar: {}", fmt::join(few, ", ")));
   }
-  if (!found.hits.empty() || picker.searched.empty()) return;
+  if (!found.hits.empty() || searched_.empty()) return;
   if (found.unknown.empty())
     return value_paragraph("nothing",
                            "Lessons have each of these words, but no step has all of them. Remove a word, or clear the "
@@ -129,77 +128,87 @@ void help_with_query(LessonPicker& picker) {
                                          shown_start(found.unknown)));
   if (found.nearest.empty()) return;
   const bool clicked = button("nearest", fmt::format("Search for \"{}\" (Enter)", found.nearest));
-  if (clicked || key_pressed(Key::enter)) picker.search = found.nearest;
+  if (clicked || key_pressed(Key::enter)) search_ = found.nearest;
 }
 
-void follow_query(LessonPicker& picker) {
-  const bool blank = picker.search.find_first_not_of(' ') == std::string::npos;
-  const std::string wanted = blank ? std::string() : picker.search;
-  if (picker.searched == wanted) return;
-  picker.searched = wanted;
-  picker.found = lesson_index().find(wanted);
-  picker.selected = 0;
+void LessonPicker::follow_query() {
+  const bool blank = search_.find_first_not_of(' ') == std::string::npos;
+  const std::string wanted = blank ? std::string() : search_;
+  if (searched_ == wanted) return;
+  searched_ = wanted;
+  found_ = lesson_index().find(wanted);
+  selected_ = 0;
 }
 
-void title_row(LessonPicker& picker) {
+void LessonPicker::title_row() {
   {
     const FontScope title(Face::heading);
     ImGui::TextUnformatted("Lessons");
   }
   ImGui::SameLine(px(140));
-  if (picker.just_opened || !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
+  if (just_opened_ || !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
   const float top = ImGui::GetCursorPosY();
   // What is counted, and the button, keep their places.
   const float rest = px(140) + text_width("  999 places in 99 lessons") + px(24 + 84 + 24);
   const float width = std::clamp(ImGui::GetWindowWidth() - rest, px(160), px(340));
-  search_box("search", picker.search, "Search all texts", {.tooltip = {}, .disabled = {}, .width = width});
-  follow_query(picker);
+  search_box("search", search_, "Search all texts", {.tooltip = {}, .disabled = {}, .width = width});
+  follow_query();
   ImGui::SameLine();
   ImGui::SetCursorPosY(top);
   ImGui::AlignTextToFramePadding();
-  value_text("count", found_text(picker));
+  value_text("count", found_text());
   ImGui::SameLine(ImGui::GetWindowWidth() - px(24) - px(84));
-  if (button("close", "Close", Emphasis::plain, {.width = px(84)})) picker.open = false;
+  if (button("close", "Close", Emphasis::plain, {.width = px(84)})) open_ = false;
   ImGui::Dummy({0, px(2)});
 }
 
-}  // namespace
-
-void open_lesson_picker(LessonPicker& picker, const Session& session) {
-  picker.open = picker.just_opened = true;
-  picker.search.clear();
-  const std::vector<std::size_t> numbers = readable_numbers();
-  const auto here = std::find_if(numbers.begin(), numbers.end(), [&](std::size_t number) {
-    return listed_lessons()[number].name == session.document().lesson;
+void LessonPicker::add_actions(Actions& actions) {
+  ActionGroup(actions, "Lesson").add("lessons", "Find a lesson: pictures, and a search in all texts", "Ctrl+L", [this] {
+    show();
   });
-  picker.selected = here == numbers.end() ? 0 : static_cast<int>(here - numbers.begin());
-  picker.searched.clear();
-  picker.found = {};
 }
 
-void lesson_picker(Session& session, LessonPicker& picker, const ReadLessons& read) {
-  if (!picker.open) return;
+void LessonPicker::offer(Values& out) {
+  out.offer("picker/open", [this] { return open_; });
+  out.offer("picker/pictures", [this] { return static_cast<int>(thumbnails_.count()); });
+}
+
+void LessonPicker::show() {
+  open_ = just_opened_ = true;
+  search_.clear();
+  const std::vector<std::size_t> numbers = readable_numbers();
+  const auto here = std::find_if(numbers.begin(), numbers.end(), [&](std::size_t number) {
+    return listed_lessons()[number].name == session_.document().lesson;
+  });
+  selected_ = here == numbers.end() ? 0 : static_cast<int>(here - numbers.begin());
+  searched_.clear();
+  found_ = {};
+}
+
+bool LessonPicker::draw(const Context&) {
+  if (!open_) return false;
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const bool opened_now = picker.just_opened;
+  const bool opened_now = just_opened_;
   Chosen chosen;
   {
     const Overlay window("##picker", {px(20), px(20)}, {display.x - px(40), display.y - px(40)},
-                         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove, picker.just_opened);
+                         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove, just_opened_);
     const NameScope names("picker");
-    title_row(picker);
-    help_with_query(picker);
+    title_row();
+    help_with_query();
     ImGui::BeginChild("##lessons");
-    chosen = picker.searched.empty() ? lesson_tiles(picker, read) : hit_rows(picker, read);
+    chosen = searched_.empty() ? lesson_tiles() : hit_rows();
     ImGui::EndChild();
-    if (window.left()) picker.open = false;
+    if (window.left()) open_ = false;
   }
   if (chosen && !opened_now) {  // the Enter that opened it does not count
-    picker.open = false;
-    go_to_step(session, chosen->lesson, chosen->step);
+    open_ = false;
+    go_to_step(session_, chosen->lesson, chosen->step);
   }
   std::set<std::uint64_t> ids;
   for (std::size_t i = 0; i < listed_lessons().size(); ++i) ids.insert(i);
-  picker.thumbnails.update(ids);
+  thumbnails_.update(ids);
+  return false;
 }
 
 }  // namespace ps::gui

@@ -1,32 +1,42 @@
 #pragma once
-#include <functional>
+#include <optional>
 #include <string>
-#include <utility>
 
 #include "engine/lesson_search.h"
 #include "gui/panels/lesson/lesson_panel.h"
+#include "gui/panels/sheet.h"
 #include "gui/work/thumbnails.h"
 
 namespace ps::gui {
 
 /// All lessons over the whole window, as pictures, and a search in their texts.
-struct LessonPicker {
-  /// `wake` may be called from any thread.
-  explicit LessonPicker(std::function<void()> wake) : thumbnails(std::move(wake)) {}
+class LessonPicker final : public Sheet {
+ public:
+  LessonPicker(const PanelHost& host, const ReadLessons& read)
+      : Sheet(host, "lessons"), read_(read), thumbnails_(host.wake) {}
+  /// Opens it with the open lesson selected.
+  void show();
+  /// A click, or Enter for the selected one, opens a lesson or the step that was found.
+  bool draw(const Context& context) override;
+  void add_actions(Actions& actions) override;
+  void offer(Values& out) override;
+  bool busy() const override { return open_ && thumbnails_.busy(); }
 
-  bool open = false;
-  bool just_opened = false;
-  std::string search, searched;  ///< as it is typed, and what `found` was found for
-  LessonHits found;
-  int selected = 0;  ///< of the pictures, or of what is found
-  Thumbnails thumbnails;
+ private:
+  /// Where a click or Enter leads.
+  using Chosen = std::optional<LessonPlace>;
+  Chosen lesson_tiles();
+  Chosen hit_rows();
+  std::string found_text() const;
+  void help_with_query();
+  void follow_query();
+  void title_row();
+
+  const ReadLessons& read_;
+  std::string search_, searched_;  ///< as it is typed, and what `found_` was found for
+  LessonHits found_;
+  int selected_ = 0;  ///< of the pictures, or of the hits
+  Thumbnails thumbnails_;
 };
-
-/// The open lesson is the selected one.
-void open_lesson_picker(LessonPicker& picker, const Session& session);
-
-/// Draws it while it is open. A click, or Enter for the selected one, opens a lesson or the step that was found; Esc or
-/// a click outside closes it.
-void lesson_picker(Session& session, LessonPicker& picker, const ReadLessons& read);
 
 }  // namespace ps::gui

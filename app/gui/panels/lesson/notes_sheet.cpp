@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/lesson_length.h"
-#include "gui/base/values.h"
+#include "gui/panels/lesson/text_view.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/overlay.h"
 #include "gui/widgets/widgets.h"
@@ -49,25 +49,33 @@ std::optional<LinkTarget> draw_notes(Session& session, const std::vector<TextBlo
 
 }  // namespace
 
-void toggle_notes(NotesState& state) { state.open = state.just_opened = !state.open; }
+void NotesSheet::add_actions(Actions& actions) {
+  ActionGroup(actions, "Lesson", [this] {
+    return !session_.document().lesson.empty();
+  }).add("notes", "Notes for the teacher on this step", "Shift+T", [this] { open_ = just_opened_ = !open_; });
+}
 
-std::optional<LinkTarget> notes_sheet(Session& session, NotesState& state, const Lesson* lesson) {
-  if (!lesson || lesson->steps.empty()) state.open = false;
-  values().publish("notes/open", state.open);
-  if (!state.open) return {};
+void NotesSheet::offer(Values& out) {
+  out.offer("notes/open", [this] { return open_; });
+}
+
+bool NotesSheet::draw(const Context&) {
+  const Lesson* lesson = shelf_.open();
+  if (!lesson || lesson->steps.empty()) open_ = false;
+  if (!open_) return false;
   const NameScope names("notes");
   const int count = static_cast<int>(lesson->steps.size());
-  const int index = std::clamp(session.document().step, 0, count - 1);
+  const int index = std::clamp(session_.document().step, 0, count - 1);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const ImVec2 size{std::min(px(640), display.x - px(40)), std::min(px(420), display.y - px(40))};
   const Overlay overlay("##notes", {(display.x - size.x) / 2, (display.y - size.y) / 2}, size,
-                        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove, state.just_opened);
+                        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove, just_opened_);
   {
     const FontScope title(Face::heading);
     ImGui::TextUnformatted("For the teacher");
   }
   ImGui::SameLine(size.x - px(24) - px(84));
-  if (button("close", "Close", Emphasis::plain, {.width = px(84)})) state.open = false;
+  if (button("close", "Close", Emphasis::plain, {.width = px(84)})) open_ = false;
   quiet_text(fmt::format("Step {} of {}: {}", index + 1, count, lesson->steps[static_cast<std::size_t>(index)].title));
   if (index == 0) quiet_text("The lesson takes " + length_text(length_of(*lesson)) + ".");
   ImGui::Dummy({0, px(4)});
@@ -77,10 +85,11 @@ std::optional<LinkTarget> notes_sheet(Session& session, NotesState& state, const
   if (notes.empty())
     quiet_text("This step has no notes.");
   else
-    followed = draw_notes(session, notes);
+    followed = draw_notes(session_, notes);
   ImGui::EndChild();
-  if (overlay.left() || followed) state.open = false;
-  return followed;
+  if (overlay.left() || followed) open_ = false;
+  if (followed) host_.send(*followed);
+  return false;
 }
 
 }  // namespace ps::gui

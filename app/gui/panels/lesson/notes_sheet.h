@@ -1,21 +1,21 @@
 #pragma once
-#include <optional>
-
-#include "engine/lesson.h"
-#include "gui/panels/lesson/text_view.h"
+#include "gui/panels/lesson/lesson_shelf.h"
+#include "gui/panels/sheet.h"
 
 namespace ps::gui {
 
 /// What a lesson has for the teacher alone, over the window.
-struct NotesState {
-  bool open = false, just_opened = false;
+class NotesSheet final : public Sheet {
+ public:
+  NotesSheet(const PanelHost& host, LessonShelf& shelf) : Sheet(host, "notes"), shelf_(shelf) {}
+  /// The notes of the open step; with the first step those of the whole lesson. It closes where no lesson is open, and
+  /// with a link that is followed.
+  bool draw(const Context& context) override;
+  void add_actions(Actions& actions) override;
+  void offer(Values& out) override;
+
+ private:
+  LessonShelf& shelf_;
 };
-
-/// Opens or closes it.
-void toggle_notes(NotesState& state);
-
-/// Draws the notes of the open step while they are asked for; with the first step those of the whole lesson. It closes
-/// where no lesson is open (nullptr). Answers a link that was followed, which also closes it.
-std::optional<LinkTarget> notes_sheet(Session& session, NotesState& state, const Lesson* lesson);
 
 }  // namespace ps::gui

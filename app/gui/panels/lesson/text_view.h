@@ -3,15 +3,10 @@
 #include <string>
 
 #include "gui/panels/lesson/text_layout.h"
+#include "gui/panels/messages.h"
 #include "gui/session/session.h"
 
 namespace ps::gui {
-
-/// What a click in the text asks for.
-struct LinkTarget {
-  TextLink link;        ///< or, if that is none,
-  std::string control;  ///< the control of this name
-};
 
 /// Where a span of the text leads: its link, or for a name in bold the control of that name. nullopt for other text.
 std::optional<LinkTarget> target_of(const TextSpan& span);

@@ -113,7 +113,12 @@ void pixel_view(Session& session, MicroscopePanelState& state, float size) {
   show_drawing(state.drawing, area, state.backdrop);
 }
 
-bool toolbar(Session& session, MicroscopePanelState& state, bool filled) {
+/// The panel's drawing as an SVG file; empty before the first pixel.
+std::string microscope_drawing(const MicroscopePanelState& state) {
+  return state.shown ? micro_svg(*state.shown->microscope, state.shown->reading, state.chosen) : std::string();
+}
+
+bool toolbar(Session& session, MicroscopePanelState& state, const PanelHost& host, bool filled) {
   const Side side = inspected_side(session);
   {
     const FontScope font(Face::bold);
@@ -132,10 +137,9 @@ bool toolbar(Session& session, MicroscopePanelState& state, bool filled) {
              {.tooltip = "Moves the point back to the pixel's sample.",
               .disabled = session.document().story.sample ? "" : "The point is at the sample."}))
     move_point(session, {});
-  if (state.save) {
-    same_line_if_room(button_width("Save SVG…"), px(2));
-    if (button("svg", "Save SVG…", Emphasis::quiet, {.tooltip = "Saves this view as a drawing."})) state.save();
-  }
+  same_line_if_room(button_width("Save SVG…"), px(2));
+  if (button("svg", "Save SVG…", Emphasis::quiet, {.tooltip = "Saves this view as a drawing."}))
+    host.send(SaveDrawing{"Save the microscope's view", "pixel.svg", [&state] { return microscope_drawing(state); }});
   same_line_if_room(button_width("Fill"), px(2));
   return button_on_off("fill", "Fill", filled, {.tooltip = "Shows this view in the whole window (Esc)."});
 }
@@ -306,11 +310,18 @@ MicroscopePanelState::MicroscopePanelState(std::function<void()> wake)
                return made.detail == MicroDetail::whole && !same_pixel(made, wanted);
              }) {}
 
-std::string microscope_drawing(const MicroscopePanelState& state) {
-  return state.shown ? micro_svg(*state.shown->microscope, state.shown->reading, state.chosen) : std::string();
-}
+MicroscopePanel::MicroscopePanel(const PanelHost& host)
+    : Panel(host, {.name = "microscope",
+                   .answers = Answers::yes,
+                   .heading = "MICROSCOPE",
+                   .brief = "Micro",
+                   .command = "Microscope: the pixel at panel size",
+                   .help = "The picked pixel at panel size: edges with their fill rule, samples, texels."}),
+      state_(host.wake) {}
 
-bool microscope_panel(Session& session, MicroscopePanelState& state, bool filled) {
+bool MicroscopePanel::draw(const Context& context) {
+  Session& session = session_;
+  MicroscopePanelState& state = state_;
   const NameScope scope("microscope");
   const auto pixel = session.pixel();
   if (!session.has_scene() || !pixel) {
@@ -332,7 +343,7 @@ bool microscope_panel(Session& session, MicroscopePanelState& state, bool filled
     request.detail =
         state.shown->microscope->detail() == MicroDetail::first ? MicroDetail::whole : state.shown->request.detail;
   state.worker.request(request);
-  const bool fill = toolbar(session, state, filled);
+  const bool fill = toolbar(session, state, host_, context.filled);
   if (!state.shown) return fill;
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const bool beside = room.x > room.y * 1.2f;

@@ -3,8 +3,8 @@
 #include <functional>
 #include <optional>
 
+#include "gui/panels/panel.h"
 #include "gui/platform/texture.h"
-#include "gui/session/session.h"
 #include "gui/work/latest_result.h"
 #include "inspect/microscope/drawing.h"
 
@@ -40,14 +40,18 @@ struct MicroscopePanelState {
   std::vector<MicroDrawing> texels;
   Texture backdrop;
   std::array<Texture, 2> texel_backdrops;
-  std::function<void()> save;  ///< asks where to write the view; empty = it cannot be written
 };
 
-/// The panel's drawing as an SVG file; empty before the first pixel.
-std::string microscope_drawing(const MicroscopePanelState& state);
-
 /// The picked pixel at panel size. A triangle that is clicked is selected in the story, and the other way round.
-/// `filled`: it has the whole window; answers whether that shall change.
-bool microscope_panel(Session& session, MicroscopePanelState& state, bool filled);
+class MicroscopePanel final : public Panel {
+ public:
+  explicit MicroscopePanel(const PanelHost& host);
+  bool draw(const Context& context) override;
+  void update() override { wait_unless_drawn(state_.worker); }
+  bool busy() const override { return works(state_.worker); }
+
+ private:
+  MicroscopePanelState state_;
+};
 
 }  // namespace ps::gui

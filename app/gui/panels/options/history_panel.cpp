@@ -60,33 +60,53 @@ std::optional<std::size_t> step_wanted_by_script(std::size_t count) {
 
 }  // namespace
 
-void history_panel(Session& session, HistoryPanelState& state) {
+HistoryPanel::HistoryPanel(const PanelHost& host)
+    : Panel(host, {.name = "history",
+                   .place = PanelPlace::left,
+                   .heading = "HISTORY",
+                   .brief = "History",
+                   .command = "History: every step with its pictures",
+                   .help = "Every step with its pictures; a click goes there."}),
+      thumbnails_(host.wake) {}
+
+void HistoryPanel::add_actions(Actions& actions) {
+  const auto turn = [this] {
+    open_ = !open_;
+    if (open_) host_.send(SetMode{ScreenMode::explore});
+  };
+  ActionGroup(actions, "Edit").add_toggle("history", std::string(facts.command), "Y", turn, [this] { return open_; });
+}
+
+void HistoryPanel::offer(Values& out) {
+  out.offer("history/open", [this] { return open_; });
+}
+
+bool HistoryPanel::draw(const Context&) {
   const NameScope scope("history");
-  const History* history = session.history();
-  if (!history) return;
+  const History* history = session_.history();
+  if (!history) return false;
   const auto& entries = history->entries();
   const std::size_t now = history->place();
   if (button("undo", "Undo", Emphasis::plain,
              {.tooltip = with_key("One step back", "undo"),
-              .disabled = session.can_undo() ? "" : "This is the first step."}))
-    session.undo();
+              .disabled = session_.can_undo() ? "" : "This is the first step."}))
+    session_.undo();
   ImGui::SameLine();
   if (button("redo", "Redo", Emphasis::plain,
              {.tooltip = with_key("One step forward", "redo"),
-              .disabled = session.can_redo() ? "" : "Nothing was undone."}))
-    session.redo();
+              .disabled = session_.can_redo() ? "" : "Nothing was undone."}))
+    session_.redo();
   same_line_if_room(button_width("Close"));
-  if (button("close", "Close", Emphasis::plain, {.tooltip = with_key("Back to the options", "history")}))
-    state.open = false;
+  if (button("close", "Close", Emphasis::plain, {.tooltip = with_key("Back to the options", "history")})) open_ = false;
   value_text("place", fmt::format("step {} of {}", now + 1, entries.size()));
 
   // Where the panel is low the steps come first.
-  const bool plots = state.log.steps().size() > 1 && ImGui::GetContentRegionAvail().y > 3 * work_plots_height();
+  const bool plots = log_.steps().size() > 1 && ImGui::GetContentRegionAvail().y > 3 * work_plots_height();
   ImGui::BeginChild("steps", {0, plots ? -work_plots_height() : 0});
   const float height = px(picture_height) + px(10);
-  const bool scroll = now != state.shown_place || entries.size() != state.shown_count;
-  state.shown_place = now;
-  state.shown_count = entries.size();
+  const bool scroll = now != shown_place_ || entries.size() != shown_count_;
+  shown_place_ = now;
+  shown_count_ = entries.size();
   const auto wanted = step_wanted_by_script(entries.size());
   if (scroll || wanted) {
     const float top = static_cast<float>(wanted.value_or(now)) * (height + ImGui::GetStyle().ItemSpacing.y);
@@ -102,7 +122,7 @@ void history_panel(Session& session, HistoryPanelState& state) {
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
       const auto place = static_cast<std::size_t>(i);
       const int width_of_side = static_cast<int>(px(picture_width)), most_high = static_cast<int>(px(picture_height));
-      const Texture* picture = state.thumbnails.find(
+      const Texture* picture = thumbnails_.find(
           entries[place].id, width_of_side, most_high,
           [document = entries[place].document, width_of_side, most_high](Prepared& prepared, Progress& progress) {
             return thumbnail(document, width_of_side, most_high, prepared, progress);
@@ -111,12 +131,13 @@ void history_panel(Session& session, HistoryPanelState& state) {
     }
   clipper.End();
   ImGui::EndChild();
-  state.thumbnails.update(ids);
+  thumbnails_.update(ids);
   if (plots)
-    if (const auto step = work_plots(state.log, entries[now].id))
+    if (const auto step = work_plots(log_, entries[now].id))
       for (std::size_t i = 0; i < entries.size(); ++i)
         if (entries[i].id == *step) chosen = i;
-  if (chosen) session.go_to_entry(*chosen);
+  if (chosen) session_.go_to_entry(*chosen);
+  return false;
 }
 
 }  // namespace ps::gui

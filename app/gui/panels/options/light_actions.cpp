@@ -30,7 +30,7 @@ void move_light(Session& session, int wanted, double right, double up, double fo
 
 }  // namespace
 
-void add_light_actions(Actions& actions, Session& session, OptionsPanelState& state) {
+void add_light_actions(Actions& actions, Session& session, const int& selected) {
   struct Push {
     const char *name, *label, *keys;
     double right, up, forward;
@@ -40,22 +40,21 @@ void add_light_actions(Actions& actions, Session& session, OptionsPanelState& st
         Push{"light-near", "Light nearer", "K", 0, 0, -1}, Push{"light-left", "Light left", "J", -1, 0, 0},
         Push{"light-right", "Light right", "L", 1, 0, 0}, Push{"light-down", "Light down", "U", 0, -1, 0},
         Push{"light-up", "Light up", "O", 0, 1, 0}})
-    actions.add({.name = by.name,
-                 .label = by.label,
-                 .group = "Light",
-                 .keys = by.keys,
-                 .by_place = true,
-                 .kind = ActionKind::repeat,
-                 .run =
-                     [&session, &state, by] {
-                       move_light(session, state.selected_light, by.right * light_share, by.up * light_share,
-                                  by.forward * light_share);
-                     },
-                 .enabled =
-                     [&session, &state] {
-                       return selected_light(session.scene(), state.selected_light) <
-                              static_cast<int>(session.scene().lights->size());
-                     }});
+    actions.add(
+        {.name = by.name,
+         .label = by.label,
+         .group = "Light",
+         .keys = by.keys,
+         .by_place = true,
+         .kind = ActionKind::repeat,
+         .run =
+             [&session, &selected, by] {
+               move_light(session, selected, by.right * light_share, by.up * light_share, by.forward * light_share);
+             },
+         .enabled =
+             [&session, &selected] {
+               return selected_light(session.scene(), selected) < static_cast<int>(session.scene().lights->size());
+             }});
 }
 
 }  // namespace ps::gui

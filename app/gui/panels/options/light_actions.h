@@ -1,10 +1,10 @@
 #pragma once
 #include "gui/input/actions.h"
-#include "gui/panels/options/options_panel.h"
+#include "gui/session/session.h"
 
 namespace ps::gui {
 
-/// The keys that move the selected light.
-void add_light_actions(Actions& actions, Session& session, OptionsPanelState& state);
+/// The keys that move the selected light, which must outlive them.
+void add_light_actions(Actions& actions, Session& session, const int& selected);
 
 }  // namespace ps::gui

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "gui/base/region_names.h"
+#include "gui/panels/options/light_actions.h"
 #include "gui/panels/options/lights_panel.h"
 #include "gui/panels/options/row_results.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/key_focus.h"
 #include "gui/widgets/option_pair.h"
 #include "gui/widgets/shorten.h"
 #include "options/option_search.h"
@@ -106,7 +109,8 @@ void header(Session& session, OptionsPanelState& state) {
   controls().record("side", std::string(1, static_cast<char>(letter_of(session.document().picked) - 'A' + 'a')));
 }
 
-void row(Session& session, OptionsPanelState& state, const Option& option) {
+void row(const PanelHost& host, OptionsPanelState& state, const Option& option) {
+  Session& session = host.session;
   std::array<Settings, 2> settings{session.settings(Side::a), session.settings(Side::b)};
   OptionPairContext context;
   context.picked = session.document().picked;
@@ -118,8 +122,9 @@ void row(Session& session, OptionsPanelState& state, const Option& option) {
     const OptionRowResult& result = results[index_of(side)];
     if (result.edit.finished && state.pointed == &option) state.pointed = nullptr;
     if (result.request == OptionRequest::sweep) {
-      state.sweep = &option;
       pick(session, side);
+      host.send(SweepOption{&option, side});
+      host.send(ShowTool{"chart"});
     }
     take_row_result(session, side, option, settings[index_of(side)], result);
   }
@@ -151,7 +156,7 @@ GroupRows group_rows(const Session& session, OptionsPanelState& state, std::size
   return group;
 }
 
-void draw_group(Session& session, OptionsPanelState& state, const GroupRows& group) {
+void draw_group(const PanelHost& host, OptionsPanelState& state, const GroupRows& group) {
   const bool filtered = !state.search.empty() || state.only_differences;
   auto& open = state.open.try_emplace(group.name, open_at_first(group.name)).first->second;
   auto& resting_open = state.open.try_emplace(group.name + "/resting", false).first->second;
@@ -165,7 +170,7 @@ void draw_group(Session& session, OptionsPanelState& state, const GroupRows& gro
   shown_open = shown_open || wants_resting || std::any_of(group.acting.begin(), group.acting.end(), wanted_by_script);
   const std::string note = group.different > 0 ? fmt::format("{} differ", group.different) : "";
   if (!section("group/" + group.name, group.name, shown_open, note)) return;
-  for (const Option* option : group.acting) row(session, state, *option);
+  for (const Option* option : group.acting) row(host, state, *option);
   if (group.resting.empty()) return;
   if (!filtered) {
     const FontScope small(Face::small);
@@ -175,19 +180,46 @@ void draw_group(Session& session, OptionsPanelState& state, const GroupRows& gro
     ImGui::Unindent(px(16));
     if (!rest_open) return;
   }
-  for (const Option* option : group.resting) row(session, state, *option);
+  for (const Option* option : group.resting) row(host, state, *option);
 }
 
 }  // namespace
 
-void point_at_option(OptionsPanelState& state, const Option& option) {
-  state.pointed = &option;
-  state.come_to_pointed = true;
-  state.search.clear();
-  state.only_differences = false;
+OptionsPanel::OptionsPanel(const PanelHost& host, ObjectSelection& selection)
+    : Panel(host, {.name = region_names::left,
+                   .place = PanelPlace::left,
+                   .heading = "OPTIONS",
+                   .brief = "Options",
+                   .command = "Options",
+                   .help = "All options of A and of B."}),
+      selection_(selection) {}
+
+void OptionsPanel::add_actions(Actions& actions) {
+  add_light_actions(actions, session_, state_.selected_light);
+  ActionGroup(actions, "Edit", [this] {
+    return session_.has_scene();
+  }).add("object", "Object: place, size and material of the picked one", "", [this] {
+    state_.object.open = true;
+    state_.object.come = 3;
+    host_.send(ShowOptions{});
+    key_focus().go_to("options/object/gizmo");
+  });
 }
 
-void options_panel(Session& session, OptionsPanelState& state, const PickedParts& picked) {
+/// Brings an option's row into sight and highlights it.
+void OptionsPanel::take(const PanelMessage& message) {
+  const auto* asked = std::get_if<PointAtOption>(&message);
+  if (!asked) return;
+  state_.pointed = asked->option;
+  state_.come_to_pointed = true;
+  state_.search.clear();
+  state_.only_differences = false;
+}
+
+bool OptionsPanel::draw(const Context&) {
+  Session& session = session_;
+  OptionsPanelState& state = state_;
+  if (!session.has_scene()) return false;
   const NameScope scope("options");
   header(session, state);
   ImGui::BeginChild("rows", {0, 0}, false, ImGuiWindowFlags_AlwaysVerticalScrollbar);  // columns keep their width
@@ -196,11 +228,11 @@ void options_panel(Session& session, OptionsPanelState& state, const PickedParts
     const GroupRows group = group_rows(session, state, first);
     if (group.acting.empty() && group.resting.empty()) continue;
     any = true;
-    draw_group(session, state, group);
+    draw_group(host_, state, group);
   }
   if (any && state.search.empty() && !state.only_differences) {
     lights_panel(session, state.selected_light, state.lights_open);
-    object_panel(session, state.object, picked.object, picked.gizmo);
+    object_panel(session, state.object, selection_.object, selection_.gizmo);
   }
   if (!any) {
     const char* nothing =
@@ -209,6 +241,7 @@ void options_panel(Session& session, OptionsPanelState& state, const PickedParts
     controls().record("nothing-found", nothing);
   }
   ImGui::EndChild();
+  return false;
 }
 
 }  // namespace ps::gui

@@ -3,16 +3,10 @@
 #include <string>
 
 #include "gui/panels/options/object_panel.h"
-#include "gui/session/session.h"
+#include "gui/panels/panel.h"
 #include "options/option.h"
 
 namespace ps::gui {
-
-/// The parts of the pictures that the panel of the picked object needs.
-struct PickedParts {
-  PickedObject& object;
-  bool& gizmo;
-};
 
 /// State of the options panel.
 struct OptionsPanelState {
@@ -23,16 +17,22 @@ struct OptionsPanelState {
   ObjectPanelState object;
   const Option* pointed = nullptr;                ///< highlighted, until it is changed or searched away from
   bool come_to_pointed = false;                   ///< its row is still to be scrolled into sight
-  const Option* sweep = nullptr;                  ///< asked for from a row's menu, until the chart's panel takes it
   std::map<std::string, bool, std::less<>> open;  ///< groups; those that are missing are as at the first start
 };
 
 /// The option table with the values of A and of B side by side, in groups, with search. It follows the picked picture:
 /// its values are fields, it is what "Copy" copies and what Enter in the palette sets first. Rows that act in neither
 /// picture are at the end of their group, folded.
-void options_panel(Session& session, OptionsPanelState& state, const PickedParts& picked);
+class OptionsPanel final : public Panel {
+ public:
+  OptionsPanel(const PanelHost& host, ObjectSelection& selection);
+  bool draw(const Context& context) override;
+  void add_actions(Actions& actions) override;
+  void take(const PanelMessage& message) override;
 
-/// Brings an option's row into sight and highlights it.
-void point_at_option(OptionsPanelState& state, const Option& option);
+ private:
+  ObjectSelection& selection_;
+  OptionsPanelState state_;
+};
 
 }  // namespace ps::gui

@@ -22,7 +22,7 @@ bool comparable(const PicturesState& state) {
 
 /// What was measured of the pictures as they are now; nullptr while that is still to come.
 std::shared_ptr<const MeasuredDifference> measured_now(const Session& session, const PicturesState& state) {
-  auto measured = state.meter->result();
+  auto measured = state.difference.meter->result();
   const bool known = measured && same_difference(measured->request, {{}, state.versions, session.region()});
   return known ? measured : nullptr;
 }
@@ -32,30 +32,30 @@ std::shared_ptr<const MeasuredDifference> measured_now(const Session& session, c
 void make_difference(Session& session, PicturesState& state) {
   const double asked = session.document().difference_gain;
   const bool due =
-      state.difference_stale || asked != state.difference_asked || (!state.difference_settled && !session.busy());
+      state.difference.stale || asked != state.difference.asked || (!state.difference.settled && !session.busy());
   if (!due || !comparable(state)) return;
   const auto &a = state.pictures[0].levels, &b = state.pictures[1].levels;
-  if (state.difference_mode == DifferenceMode::flip) {
+  if (state.difference.mode == DifferenceMode::flip) {
     const auto measured = measured_now(session, state);
     if (!measured || measured->flip_map.empty()) return;
-    state.difference_values = measured->flip_map;
+    state.difference.values = measured->flip_map;
   } else {
-    state.difference_values = difference_values(a, b, state.difference_mode);
+    state.difference.values = difference_values(a, b, state.difference.mode);
   }
-  state.identical = a == b;
-  state.difference_numbers = difference_numbers(state.difference_values, session.region());
+  state.difference.identical = a == b;
+  state.difference.numbers = difference_numbers(state.difference.values, session.region());
   // While tiles arrive the gain stays: the whole map would flicker.
-  if (asked > 0 || !session.busy() || state.difference.levels.empty())
-    state.difference_gain = asked > 0 ? asked : gain_that_shows(state.difference_numbers, state.difference_mode);
-  const DifferenceOptions options{state.difference_gain, state.difference_mode};
-  state.difference.levels = state.difference_mode == DifferenceMode::absolute
-                                ? difference_picture(a, b, options)
-                                : difference_picture(state.difference_values, options);
-  state.difference.upload({{0, 0, a.width(), a.height()}});
-  state.difference_stale = false;
-  state.difference_asked = asked;
-  state.difference_settled = asked > 0 || !session.busy();
-  state.difference_fresh = true;
+  if (asked > 0 || !session.busy() || state.difference.picture.levels.empty())
+    state.difference.gain = asked > 0 ? asked : gain_that_shows(state.difference.numbers, state.difference.mode);
+  const DifferenceOptions options{state.difference.gain, state.difference.mode};
+  state.difference.picture.levels = state.difference.mode == DifferenceMode::absolute
+                                        ? difference_picture(a, b, options)
+                                        : difference_picture(state.difference.values, options);
+  state.difference.picture.upload({{0, 0, a.width(), a.height()}});
+  state.difference.stale = false;
+  state.difference.asked = asked;
+  state.difference.settled = asked > 0 || !session.busy();
+  state.difference.fresh = true;
 }
 
 const std::vector<Choice>& mode_choices() {
@@ -76,16 +76,16 @@ void difference_tools(Session& session, PicturesState& state, const Area& row) {
   const float wide = px(tools_room);
   const float share = std::min(row.width() / wide, 1.f);
   ImGui::SetCursorScreenPos({row.min.x, row.min.y + std::max((row.height() - ImGui::GetFrameHeight()) / 2, 0.f)});
-  int mode = static_cast<int>(state.difference_mode);
+  int mode = static_cast<int>(state.difference.mode);
   if (choice("mode", mode_choices(), mode,
              {.tooltip = "What is shown of the difference.",
               .disabled = {},
               .width = std::max(px(104) * share, px(84))})) {
-    state.difference_mode = static_cast<DifferenceMode>(mode);
-    state.difference_stale = true;
+    state.difference.mode = static_cast<DifferenceMode>(mode);
+    state.difference.stale = true;
   }
   ImGui::SameLine(0, px(6));
-  double gain = state.difference_gain;
+  double gain = state.difference.gain;
   const auto edit = number("gain", gain, {.minimum = 1, .maximum = 256, .scale = OptionScale::logarithmic, .unit = "x"},
                            {.tooltip = "Factor by which differences are multiplied before they are shown.",
                             .disabled = {},
@@ -95,8 +95,8 @@ void difference_tools(Session& session, PicturesState& state, const Area& row) {
   const bool automatic = session.document().difference_gain == 0;
   if (button_on_off("auto", "auto", automatic,
                     {.tooltip = "The gain with which the brightest 0.1 % of the pixels are white."}))
-    set_gain(session, automatic ? state.difference_gain : 0);
-  const Vec2i at = state.difference_numbers.at;
+    set_gain(session, automatic ? state.difference.gain : 0);
+  const Vec2i at = state.difference.numbers.at;
   values().publish("difference/largest-at", at.x < 0 ? "none" : fmt::format("{},{}", at.x, at.y));
   if (ImGui::GetItemRectMax().x + px(6) + button_width("Largest") > row.max.x) return;
   ImGui::SameLine(0, px(6));
@@ -125,13 +125,13 @@ std::string identical_text(Session& session, PicturesState& state) {
   const auto a = values_of(session, Side::a), b = values_of(session, Side::b);
   if (!a || !b || a->width() != b->width() || a->height() != b->height())
     return fmt::format("A and B are identical in display levels{}.", although);
-  if (state.compared_values[0].lock() != a || state.compared_values[1].lock() != b) {
-    state.compared_values = {a, b};
-    state.value_difference = compare_channels(*a, *b);
-    state.alpha_difference = file ? compare_alpha({}, file->stored.alpha) : AlphaDifference{};
+  if (state.difference.compared[0].lock() != a || state.difference.compared[1].lock() != b) {
+    state.difference.compared = {a, b};
+    state.difference.of_values = compare_channels(*a, *b);
+    state.difference.of_alpha = file ? compare_alpha({}, file->stored.alpha) : AlphaDifference{};
   }
-  const Comparison& values = state.value_difference;
-  const AlphaDifference& opacity = state.alpha_difference;
+  const Comparison& values = state.difference.of_values;
+  const AlphaDifference& opacity = state.difference.of_alpha;
   const std::string alpha = opacity.differing > 0 ? fmt::format(" The alpha of B differs from 1 by at most {:.3g} {}.",
                                                                 opacity.max, in_pixels(opacity.differing))
                                                   : "";
@@ -146,10 +146,10 @@ std::string identical_text(Session& session, PicturesState& state) {
 
 /// A ring around the pixel with the largest difference.
 void largest_ring(ImDrawList& list, const PicturesState& state, const Area& area) {
-  const Vec2i at = state.difference_numbers.at;
+  const Vec2i at = state.difference.numbers.at;
   if (at.x < 0) return;
-  const ImVec2 middle = state.transform.to_window(Vec2d(at) + Vec2d(0.5), area);
-  const float radius = std::max(px(9), static_cast<float>(state.transform.zoom));
+  const ImVec2 middle = state.drawn.transform.to_window(Vec2d(at) + Vec2d(0.5), area);
+  const float radius = std::max(px(9), static_cast<float>(state.drawn.transform.zoom));
   list.PushClipRect(area.min, area.max, true);
   list.AddCircle(middle, radius, colour_u32(palette().panel), 0, px(4));
   list.AddCircle(middle, radius, colour_u32(palette().attention), 0, px(2));
@@ -160,21 +160,21 @@ void largest_ring(ImDrawList& list, const PicturesState& state, const Area& area
 void difference_number(Session& session, PicturesState& state, const Area& row) {
   if (!session.busy() && comparable(state)) {
     const auto &a = state.pictures[0].levels, &b = state.pictures[1].levels;
-    state.meter->request({state.meter->copies(a, b, state.versions), state.versions, session.region(),
-                          state.difference_mode == DifferenceMode::flip});
+    state.difference.meter->request({state.difference.meter->copies(a, b, state.versions), state.versions,
+                                     session.region(), state.difference.mode == DifferenceMode::flip});
   }
   ImGui::SetCursorScreenPos({row.min.x, row.min.y + std::max((row.height() - ImGui::GetFrameHeight()) / 2, 0.f)});
   std::vector<Choice> choices;
   for (const ErrorMetricRow& metric : error_metrics())
     choices.push_back({metric.key, metric.label, metric_help(metric.metric)});
-  int index = static_cast<int>(state.difference_metric);
-  if (choice("metric", choices, index, {.tooltip = metric_help(state.difference_metric), .width = px(metric_width)}))
-    state.difference_metric = static_cast<ErrorMetric>(index);
+  int index = static_cast<int>(state.difference.metric);
+  if (choice("metric", choices, index, {.tooltip = metric_help(state.difference.metric), .width = px(metric_width)}))
+    state.difference.metric = static_cast<ErrorMetric>(index);
   ImGui::SameLine(0, px(8));
   ImGui::AlignTextToFramePadding();
   const auto measured = measured_now(session, state);
   std::string text =
-      measured ? difference_text(state.difference_metric, error_of(measured->comparison, state.difference_metric))
+      measured ? difference_text(state.difference.metric, error_of(measured->comparison, state.difference.metric))
                : "measuring ...";
   if (measured && measured->request.region) text += ", in the rectangle";
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -184,7 +184,7 @@ void difference_number(Session& session, PicturesState& state, const Area& row) 
     value_text("error", text);
   }
   ImGui::PopClipRect();
-  tooltip(metric_help(state.difference_metric));
+  tooltip(metric_help(state.difference.metric));
 }
 
 }  // namespace
@@ -209,26 +209,27 @@ void difference_view(Session& session, PicturesState& state, const Area& title, 
   ImGui::InvisibleButton("picture-difference", {std::max(area.width(), 1.f), std::max(area.height(), 1.f)},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
-  controls().record("picture", state.identical ? "identical" : "different");
+  controls().record("picture", state.difference.identical ? "identical" : "different");
   controls().record("map", "");  // the same, as what may not lie over the tools (fit.h)
   const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
   picture_input(session, state, Side::a, area, {});
-  state.areas[0] = area;
+  state.drawn.areas[0] = area;
   PictureStyle style;
   style.grid = state.grid;
   style.marked = session.pixel();
   style.region = session.region();
-  draw_picture(list, state.flip ? state.pictures[1] : state.difference, state.transform, area, style);
-  if (!state.flip) {
+  draw_picture(list, state.keys.flip ? state.pictures[1] : state.difference.picture, state.drawn.transform, area,
+               style);
+  if (!state.keys.flip) {
     largest_ring(list, state, area);
     if (places.scale)
-      draw_difference_scale(list, {state.difference_gain, state.difference_mode}, state.difference_numbers,
+      draw_difference_scale(list, {state.difference.gain, state.difference.mode}, state.difference.numbers,
                             *places.scale);
   }
   picture_handles(session, state, Side::a, area, area, "picture", hovered);
-  if (state.difference_stale && state.difference_mode == DifferenceMode::flip && state.meter->busy())
+  if (state.difference.stale && state.difference.mode == DifferenceMode::flip && state.difference.meter->busy())
     return draw_notice(list, area, "measuring FLIP ...");
-  if (!state.identical || session.busy()) return;
+  if (!state.difference.identical || session.busy()) return;
   const std::string text = identical_text(session, state);
   controls().record("notice", area.min, area.max, text);
   draw_notice(list, area, text);

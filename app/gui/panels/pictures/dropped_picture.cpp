@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "gui/widgets/overlay.h"
 #include "gui/widgets/widgets.h"
 #include "render/story/names.h"
 #include "scene/object_surface.h"
@@ -20,25 +21,28 @@ std::vector<int> textured_objects(const Scene& scene) {
   return objects;
 }
 
-void put_on(Session& session, const DroppedPicture& state) {
-  const std::string name = object_name(session.scene(), state.object);
-  const std::string path = fmt::format("object.{}", state.object);
-  const std::size_t warnings = session.scene().warnings.size();
+}  // namespace
+
+void DroppedPicture::put_on() {
+  const std::string name = object_name(session_.scene(), object_);
+  const std::string path = fmt::format("object.{}", object_);
+  const std::size_t warnings = session_.scene().warnings.size();
   bool done = false;
-  session.edit(fmt::format("texture of {}: {}", name, state.file.filename().string()), [&](Document& document) {
-    edit_scene(document, {path + ".texture", scene_name(std::filesystem::absolute(state.file).string())});
-    if (state.plain) edit_scene(document, {path + ".color", "white"});
+  session_.edit(fmt::format("texture of {}: {}", name, file_.filename().string()), [&](Document& document) {
+    edit_scene(document, {path + ".texture", scene_name(std::filesystem::absolute(file_).string())});
+    if (plain_) edit_scene(document, {path + ".color", "white"});
     done = true;
   });
   if (done)
-    session.say(Message::Kind::information,
-                fmt::format("{} is the texture of {} now. Undo removes it; save the scene to keep it.",
-                            state.file.filename().string(), name));
-  for (std::size_t i = warnings; i < session.scene().warnings.size(); ++i)
-    session.say(Message::Kind::warning, session.scene().warnings[i]);
+    session_.say(Message::Kind::information,
+                 fmt::format("{} is the texture of {} now. Undo removes it; save the scene to keep it.",
+                             file_.filename().string(), name));
+  for (std::size_t i = warnings; i < session_.scene().warnings.size(); ++i)
+    session_.say(Message::Kind::warning, session_.scene().warnings[i]);
 }
 
-void object_choice(const Scene& scene, DroppedPicture& state) {
+void DroppedPicture::object_choice() {
+  const Scene& scene = session_.scene();
   const std::vector<int> objects = textured_objects(scene);
   std::vector<std::string> names, keys;
   names.reserve(objects.size());
@@ -51,68 +55,51 @@ void object_choice(const Scene& scene, DroppedPicture& state) {
   int index = 0;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     choices.push_back({keys[i], names[i], ""});
-    if (objects[i] == state.object) index = static_cast<int>(i);
+    if (objects[i] == object_) index = static_cast<int>(i);
   }
   choice("object", choices, index, {.tooltip = "The object that gets the picture as its texture.", .width = px(200)});
-  state.object = objects[static_cast<std::size_t>(index)];
+  object_ = objects[static_cast<std::size_t>(index)];
 }
 
-}  // namespace
-
-void ask_about_picture(Session& session, DroppedPicture& state, const std::filesystem::path& file, int object) {
-  if (!session.has_scene()) return;
-  const std::vector<int> objects = textured_objects(session.scene());
-  if (objects.empty()) return session.open_picture_b(file);
-  state = {};
-  state.file = file;
-  state.object =
-      object >= 0 && takes_texture(session.scene(), static_cast<std::size_t>(object)) ? object : objects.front();
+void DroppedPicture::ask(const std::filesystem::path& file, int object) {
+  if (!session_.has_scene()) return;
+  const std::vector<int> objects = textured_objects(session_.scene());
+  if (objects.empty()) return session_.open_picture_b(file);
+  open_ = just_opened_ = plain_ = true;
+  file_ = file;
+  object_ = object >= 0 && takes_texture(session_.scene(), static_cast<std::size_t>(object)) ? object : objects.front();
 }
 
-void dropped_picture(Session& session, DroppedPicture& state) {
-  if (state.file.empty()) return;
+bool DroppedPicture::draw(const Context&) {
   // Another scene may have come meanwhile.
-  if (!takes_texture(session.scene(), static_cast<std::size_t>(state.object))) return void(state = {});
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(px(520), display.x - px(40)), 0});
-  if (!std::exchange(state.shown, true)) ImGui::SetNextWindowFocus();  // once, else the list of objects could not open
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(24), px(16)});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette().field);
-  ImGui::Begin("##dropped", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
-  bool answered = false;
+  open_ = open_ && takes_texture(session_.scene(), static_cast<std::size_t>(object_));
+  if (!open_) return false;
+  const Overlay window("##dropped", px(520), just_opened_);
+  const NameScope scope("dropped");
   {
-    const NameScope scope("dropped");
-    {
-      const FontScope title(Face::heading);
-      value_text("file", state.file.filename().string());
-    }
-    ImGui::TextUnformatted("What is this picture for?");
-    ImGui::Dummy({0, px(8)});
-    if (button("compare", "Compare it with A", Emphasis::primary,
-               {.tooltip = "Replaces B; A is rendered in its size."})) {
-      session.open_picture_b(state.file);
-      answered = true;
-    }
-    ImGui::Dummy({0, px(8)});
-    if (button("texture", "Put it on", Emphasis::primary,
-               {.tooltip = "It becomes the object's texture. This can be undone, and is saved with the scene."})) {
-      put_on(session, state);
-      answered = true;
-    }
-    ImGui::SameLine();
-    object_choice(session.scene(), state);
-    toggle("plain", "in its original colours", state.plain,
-           {.tooltip = "The colour of an object multiplies its texture. On: the object becomes white."});
-    ImGui::Dummy({0, px(8)});
-    if (button("cancel", "Cancel", Emphasis::quiet)) answered = true;
+    const FontScope title(Face::heading);
+    value_text("file", file_.filename().string());
   }
-  ImGui::End();
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar(3);
-  if (answered) state = {};
+  ImGui::TextUnformatted("What is this picture for?");
+  ImGui::Dummy({0, px(8)});
+  if (button("compare", "Compare it with A", Emphasis::primary,
+             {.tooltip = "Replaces B; A is rendered in its size."})) {
+    session_.open_picture_b(file_);
+    open_ = false;
+  }
+  ImGui::Dummy({0, px(8)});
+  if (button("texture", "Put it on", Emphasis::primary,
+             {.tooltip = "It becomes the object's texture. This can be undone, and is saved with the scene."})) {
+    put_on();
+    open_ = false;
+  }
+  ImGui::SameLine();
+  object_choice();
+  toggle("plain", "in its original colours", plain_,
+         {.tooltip = "The colour of an object multiplies its texture. On: the object becomes white."});
+  ImGui::Dummy({0, px(8)});
+  if (button("cancel", "Cancel", Emphasis::quiet)) open_ = false;
+  return false;
 }
 
 }  // namespace ps::gui

@@ -1,26 +1,27 @@
 #pragma once
 #include <filesystem>
-#include <functional>
-#include <string>
 
-#include "gui/session/session.h"
+#include "gui/panels/sheet.h"
 
 namespace ps::gui {
 
-/// A picture file that was dropped on the window, until the user has said what it is for.
-struct DroppedPicture {
-  std::filesystem::path file;  ///< empty = none
-  int object = -1;             ///< index of the one that would get it as a texture
-  bool plain = true;           ///< the object's colour becomes white, so that the picture is seen as it is
-  bool shown = false;          ///< the question has been drawn
+/// A picture file that was dropped on the window, until the user has said what it is for: to be compared with A, in
+/// B's place, or to be a texture of an object.
+class DroppedPicture final : public Sheet {
+ public:
+  explicit DroppedPicture(const PanelHost& host) : Sheet(host, "dropped") {}
+  bool draw(const Context& context) override;
+  /// `object` is the one under the pointer, or of the picked pixel, or -1. In a scene whose objects take no texture the
+  /// picture goes to B at once.
+  void ask(const std::filesystem::path& file, int object);
+
+ private:
+  void put_on();
+  void object_choice();
+
+  std::filesystem::path file_;
+  int object_ = -1;    ///< index of the one that would get it as a texture
+  bool plain_ = true;  ///< the object's colour becomes white, so that the picture is seen as it is
 };
-
-/// Asks what a dropped picture is for: to be compared with A, in B's place, or to be a texture of an object. `object`
-/// is the one under the pointer, or of the picked pixel, or -1. In a scene whose objects take no texture it goes to B
-/// at once.
-void ask_about_picture(Session& session, DroppedPicture& state, const std::filesystem::path& file, int object);
-
-/// The question, in the middle of the window; absent while none is asked. Esc is left to the caller.
-void dropped_picture(Session& session, DroppedPicture& state);
 
 }  // namespace ps::gui

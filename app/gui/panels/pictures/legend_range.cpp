@@ -19,7 +19,7 @@ bool is_asked(const Session& session, Side side) {
 
 /// The range that the pictures' values have by themselves.
 ValueRange usual_range(Session& session, PicturesState& state, Side side, const ChannelLegend& legend) {
-  UsualRange& known = state.usual[index_of(side)];
+  UsualRange& known = state.sides.usual[index_of(side)];
   const auto result = session.renderer(side).result();
   if (!is_asked(session, side))
     known = {result, session.shown(side), {legend.low, legend.high}};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 #include "document/permalink.h"
 #include "gui/panels/pictures/first_nan.h"
@@ -63,137 +64,82 @@ void next_channel(Session& session, int by) {
   });
 }
 
-void add_view_actions(Actions& actions, Session& session, PicturesState& pictures) {
+void add_compare_actions(Actions& actions, Session& session, PicturesState& pictures) {
   const auto not_flying = [&pictures] { return !flying(pictures); };
-  const auto compare = [&](CompareMode mode, const char* label, const char* keys) {
-    actions.add({.name = std::string(compare_key(mode)),
-                 .label = label,
-                 .group = "Compare",
-                 .keys = keys,
-                 .run = [&session, mode] { set_compare(session, mode); },
-                 .enabled = not_flying,
-                 .checked = [&pictures, mode] { return pictures.compare == mode; }});
+  const auto add = [&](CompareMode mode, const char* label, const char* keys, std::function<void()> run,
+                       std::function<bool()> enabled) {
+    ActionGroup(actions, "Compare", std::move(enabled))
+        .add_toggle(std::string(compare_key(mode)), label, keys, std::move(run),
+                    [&pictures, mode] { return pictures.drawn.compare == mode; });
   };
-  actions.add(
-      {.name = std::string(compare_key(CompareMode::side_by_side)),
-       .label = "Side by side",
-       .group = "Compare",
-       .keys = "",
-       .run =
-           [&session] { session.navigate([](Document& document) { document.compare = CompareMode::side_by_side; }); },
-       .checked = [&pictures] { return pictures.compare == CompareMode::side_by_side; }});
+  const auto compare = [&](CompareMode mode, const char* label, const char* keys) {
+    add(
+        mode, label, keys, [&session, mode] { set_compare(session, mode); }, not_flying);
+  };
+  const auto beside = [&session] {
+    session.navigate([](Document& document) { document.compare = CompareMode::side_by_side; });
+  };
+  add(CompareMode::side_by_side, "Side by side", "", beside, {});
   compare(CompareMode::split, "Split: drag the divider", "X");
   compare(CompareMode::difference, "Difference B - A", "D");
   compare(CompareMode::only_a, "Only A", "");
   compare(CompareMode::only_b, "Only B", "");
-  actions.add({.name = "flicker",
-               .label = "Flicker: A and B change places while held",
-               .group = "Compare",
-               .keys = "F",
-               .kind = ActionKind::hold,
-               .run_hold = [&pictures](bool on) { pictures.flip = on; },
-               .enabled = not_flying});
-  actions.add({.name = "before",
-               .label = "Before the last change, while held",
-               .group = "Compare",
-               .keys = "Backspace",
-               .kind = ActionKind::hold,
-               .run_hold = [&pictures](bool on) { pictures.was = on; },
-               .enabled = not_flying});
-  actions.add({.name = "loupe",
-               .label = "Loupe while held",
-               .group = "View",
-               .keys = "Z",
-               .kind = ActionKind::hold,
-               .run_hold = [&pictures](bool on) { pictures.loupe = on; },
-               .enabled = not_flying});
-  actions.add({.name = "fit", .label = "Fit the picture", .group = "View", .keys = "0", .run = [&session, &pictures] {
-                 zoom_to(session, pictures, 0);
-               }});
-  actions.add({.name = "one-to-one", .label = "One to one", .group = "View", .keys = "1", .run = [&session, &pictures] {
-                 zoom_to(session, pictures, 1);
-               }});
-  const auto zoom_by = [&session, &pictures](double factor) {
-    zoom_to(session, pictures, std::clamp(pictures.transform.zoom * factor, smallest_zoom, largest_zoom));
+  const auto hold = [&](const char* name, const char* label, const char* group, const char* keys, bool& held) {
+    actions.add({.name = name,
+                 .label = label,
+                 .group = group,
+                 .keys = keys,
+                 .kind = ActionKind::hold,
+                 .run_hold = [&held](bool on) { held = on; },
+                 .enabled = not_flying});
   };
-  actions.add({.name = "zoom-in",
-               .label = "Zoom in on the pixel",
-               .group = "View",
-               .keys = "= +",
-               .kind = ActionKind::repeat,
-               .run = [zoom_by] { zoom_by(2); }});
-  actions.add({.name = "zoom-out",
-               .label = "Zoom out",
-               .group = "View",
-               .keys = "-",
-               .kind = ActionKind::repeat,
-               .run = [zoom_by] { zoom_by(0.5); }});
-  actions.add({.name = "grid",
-               .label = "Grid and numbers in large pixels",
-               .group = "View",
-               .keys = "G",
-               .run = [&pictures] { pictures.grid = !pictures.grid; },
-               .checked = [&pictures] { return pictures.grid; }});
-  actions.add({.name = "handles",
-               .label = "Handles of lights and objects",
-               .group = "View",
-               .keys = "H",
-               .run = [&pictures] { pictures.handles = !pictures.handles; },
-               .checked = [&pictures] { return pictures.handles; }});
-  actions.add({.name = "gizmo",
-               .label = "Gizmo: move, turn and scale the picked object",
-               .group = "View",
-               .keys = "T",
-               .run = [&pictures] { pictures.gizmo = !pictures.gizmo; },
-               .checked = [&pictures] { return pictures.gizmo; }});
-  actions.add({.name = "channel-next", .label = "Next channel", .group = "View", .keys = "N", .run = [&session] {
-                 next_channel(session, 1);
-               }});
-  actions.add(
-      {.name = "channel-before", .label = "Previous channel", .group = "View", .keys = "Shift+N", .run = [&session] {
-         next_channel(session, -1);
-       }});
-  actions.add({.name = "panels",
-               .label = "Panels",
-               .group = "View",
-               .keys = "Tab",
-               .run =
-                   [&session] {
-                     session.navigate([](Document& document) { document.layout.panels = !document.layout.panels; });
-                   },
-               .checked = [&session] { return session.document().layout.panels; }});
+  hold("flicker", "Flicker: A and B change places while held", "Compare", "F", pictures.keys.flip);
+  hold("before", "Before the last change, while held", "Compare", "Backspace", pictures.keys.was);
+  hold("loupe", "Loupe while held", "View", "Z", pictures.keys.loupe);
+}
+
+void add_view_actions(Actions& actions, Session& session, PicturesState& pictures) {
+  ActionGroup view(actions, "View");
+  view.add("fit", "Fit the picture", "0", [&session, &pictures] { zoom_to(session, pictures, 0); });
+  view.add("one-to-one", "One to one", "1", [&session, &pictures] { zoom_to(session, pictures, 1); });
+  const auto zoom_by = [&session, &pictures](double factor) {
+    zoom_to(session, pictures, std::clamp(pictures.drawn.transform.zoom * factor, smallest_zoom, largest_zoom));
+  };
+  view.add_repeated("zoom-in", "Zoom in on the pixel", "= +", [zoom_by] { zoom_by(2); });
+  view.add_repeated("zoom-out", "Zoom out", "-", [zoom_by] { zoom_by(0.5); });
+  const auto flag = [&](const char* name, const char* label, const char* keys, bool& on) {
+    view.add_toggle(
+        name, label, keys, [&on] { on = !on; }, [&on] { return on; });
+  };
+  flag("grid", "Grid and numbers in large pixels", "G", pictures.grid);
+  flag("handles", "Handles of lights and objects", "H", pictures.handles);
+  flag("gizmo", "Gizmo: move, turn and scale the picked object", "T", pictures.selection.gizmo);
+  view.add("channel-next", "Next channel", "N", [&session] { next_channel(session, 1); });
+  view.add("channel-before", "Previous channel", "Shift+N", [&session] { next_channel(session, -1); });
+  view.add_toggle(
+      "panels", "Panels", "Tab",
+      [&session] { session.navigate([](Document& document) { document.layout.panels = !document.layout.panels; }); },
+      [&session] { return session.document().layout.panels; });
 }
 
 void add_pixel_actions(Actions& actions, Session& session) {
   struct Direction {
-    const char *name, *label, *key;
+    const char *name, *key;
     Vec2i by;
   };
-  for (const auto& [name, label, key, by] :
-       {Direction{"left", "left", "Left", {-1, 0}}, Direction{"right", "right", "Right", {1, 0}},
-        Direction{"up", "up", "Up", {0, -1}}, Direction{"down", "down", "Down", {0, 1}}}) {
-    actions.add({.name = fmt::format("pixel-{}", name),
-                 .label = fmt::format("Pixel {}", label),
-                 .group = "Pixel",
-                 .keys = key,
-                 .kind = ActionKind::repeat,
-                 .run = [&session, by = by] { nudge(session, by); }});
-    actions.add({.name = fmt::format("pixel-{}-far", name),
-                 .label = fmt::format("Ten pixels {}", label),
-                 .group = "Pixel",
-                 .keys = fmt::format("Shift+{}", key),
-                 .kind = ActionKind::repeat,
-                 .run = [&session, by = by] { nudge(session, by * far_nudge); }});
+  ActionGroup group(actions, "Pixel");
+  for (const auto& [name, key, by] : {Direction{"left", "Left", {-1, 0}}, Direction{"right", "Right", {1, 0}},
+                                      Direction{"up", "Up", {0, -1}}, Direction{"down", "Down", {0, 1}}}) {
+    group.add_repeated(fmt::format("pixel-{}", name), fmt::format("Pixel {}", name), key,
+                       [&session, by = by] { nudge(session, by); });
+    group.add_repeated(fmt::format("pixel-{}-far", name), fmt::format("Ten pixels {}", name),
+                       fmt::format("Shift+{}", key), [&session, by = by] { nudge(session, by * far_nudge); });
   }
-}
-
-void add_nan_action(Actions& actions, Session& session) {
-  actions.add({.name = "first-nan",
-               .label = "Go to the first pixel that is not finite: NaN or infinite",
-               .group = "Pixel",
-               .keys = "Ctrl+N",
-               .run = [&session] { go_to_first_nan(session); },
-               .enabled = [&session] { return session.has_scene(); }});
+  ActionGroup(actions, "Pixel", [&session] {
+    return session.has_scene();
+  }).add("first-nan", "Go to the first pixel that is not finite: NaN or infinite", "Ctrl+N", [&session] {
+    go_to_first_nan(session);
+  });
 }
 
 void add_camera_actions(Actions& actions, Session& session, PicturesState& pictures) {
@@ -201,48 +147,34 @@ void add_camera_actions(Actions& actions, Session& session, PicturesState& pictu
     const char *name, *label, *keys;
     double right, up;
   };
+  ActionGroup camera(actions, "Camera");
   for (const Turn& by :
        {Turn{"turn-left", "Turn left", "Ctrl+Left", -1, 0}, Turn{"turn-right", "Turn right", "Ctrl+Right", 1, 0},
         Turn{"turn-up", "Turn up", "Ctrl+Up", 0, 1}, Turn{"turn-down", "Turn down", "Ctrl+Down", 0, -1}})
-    actions.add({.name = by.name,
-                 .label = by.label,
-                 .group = "Camera",
-                 .keys = by.keys,
-                 .kind = ActionKind::repeat,
-                 .run = [&session, by] { turn(session, by.right * turn_step, by.up * turn_step); }});
+    camera.add_repeated(by.name, by.label, by.keys,
+                        [&session, by] { turn(session, by.right * turn_step, by.up * turn_step); });
   // As Alt and a drag do. The camera goes where the key says, so that the scene turns the other way.
   for (const Turn& by : {Turn{"orbit-left", "Go left around the scene", "Alt+Left", 1, 0},
                          Turn{"orbit-right", "Go right around the scene", "Alt+Right", -1, 0},
                          Turn{"orbit-up", "Go up around the scene", "Alt+Up", 0, -1},
                          Turn{"orbit-down", "Go down around the scene", "Alt+Down", 0, 1}})
-    actions.add({.name = by.name,
-                 .label = by.label,
-                 .group = "Camera",
-                 .keys = by.keys,
-                 .kind = ActionKind::repeat,
-                 .run = [&session, by] { orbit(session, by.right * turn_step, by.up * turn_step); }});
-  actions.add({.name = "fly",
-               .label = "Fly: keys move the camera",
-               .group = "Camera",
-               .keys = "`",
-               .run = [&pictures] { pictures.fly = !pictures.fly; },
-               .checked = [&pictures] { return pictures.fly; }});
-  actions.add({.name = "reset-view",
-               .label = "Reset camera and zoom",
-               .group = "Camera",
-               .keys = "R",
-               .run = [&session, &pictures] {
-                 session.edit("reset the camera", [](Document& document) { document.view.camera.reset(); });
-                 zoom_to(session, pictures, 0);
-               }});
+    camera.add_repeated(by.name, by.label, by.keys,
+                        [&session, by] { orbit(session, by.right * turn_step, by.up * turn_step); });
+  camera.add_toggle(
+      "fly", "Fly: keys move the camera", "`", [&pictures] { pictures.keys.fly = !pictures.keys.fly; },
+      [&pictures] { return pictures.keys.fly; });
+  camera.add("reset-view", "Reset camera and zoom", "R", [&session, &pictures] {
+    session.edit("reset the camera", [](Document& document) { document.view.camera.reset(); });
+    zoom_to(session, pictures, 0);
+  });
 }
 
 }  // namespace
 
 void add_picture_actions(Actions& actions, Session& session, PicturesState& pictures) {
+  add_compare_actions(actions, session, pictures);
   add_view_actions(actions, session, pictures);
   add_pixel_actions(actions, session);
-  add_nan_action(actions, session);
   add_camera_actions(actions, session, pictures);
   add_slow_motion_actions(actions, session, pictures.slow, [&pictures] { return !flying(pictures); });
 }

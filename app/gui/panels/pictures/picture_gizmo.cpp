@@ -4,13 +4,13 @@ namespace ps::gui {
 
 std::optional<ShownGizmo> gizmo_in_picture(const Session& session, const PicturesState& state, Side side,
                                            const Area& area) {
-  const auto object = state.picked.index(session);
-  if (!state.gizmo || !object || flying(state)) return {};
+  const auto object = state.selection.object.index(session);
+  if (!state.selection.gizmo || !object || flying(state)) return {};
   const auto gizmo = gizmo_of(session.scene(), *object);
   if (!gizmo) return {};
   return shown_gizmo(
       *gizmo, {session.view(), session.settings(side)},
-      {[&](const Vec2d& place) { return state.transform.to_window(place, area); }, state.transform.zoom});
+      {[&](const Vec2d& place) { return state.drawn.transform.to_window(place, area); }, state.drawn.transform.zoom});
 }
 
 std::optional<GizmoDrag> take_gizmo(const Session& session, const PicturesState& state, Side side, const Area& area,
@@ -21,7 +21,7 @@ std::optional<GizmoDrag> take_gizmo(const Session& session, const PicturesState&
   return GizmoDrag{shown->gizmo,
                    mark->part,
                    {session.view(), session.settings(side)},
-                   state.transform.to_picture(point, area),
+                   state.drawn.transform.to_picture(point, area),
                    shown->reach,
                    session.scene(),
                    session.view().camera};
@@ -32,8 +32,8 @@ void picture_gizmo(const Session& session, const PicturesState& state, Side side
   const auto shown = gizmo_in_picture(session, state, side, area);
   if (!shown) return;
   std::optional<GizmoPart> held;
-  if (state.drag == PictureDrag::gizmo) {
-    if (state.drag_side == side) held = state.gizmo_drag->part;
+  if (state.mouse.drag == PictureDrag::gizmo) {
+    if (state.mouse.drag_side == side) held = state.mouse.gizmo_drag->part;
   } else if (const ImVec2 mouse = ImGui::GetIO().MousePos; hovered && clip.contains(mouse)) {
     if (const GizmoMark* mark = mark_at(*shown, mouse)) held = mark->part;
   }
@@ -43,12 +43,12 @@ void picture_gizmo(const Session& session, const PicturesState& state, Side side
 }
 
 bool cancel_picture_drag(Session& session, PicturesState& state) {
-  switch (state.drag) {
+  switch (state.mouse.drag) {
   case PictureDrag::gizmo:
     session.cancel_drag(gizmo_step);
     break;
   case PictureDrag::handle:
-    session.cancel_drag(state.grabbed->path);
+    session.cancel_drag(state.mouse.grabbed->path);
     break;
   case PictureDrag::look:
     session.cancel_drag("look");
@@ -63,7 +63,7 @@ bool cancel_picture_drag(Session& session, PicturesState& state) {
   case PictureDrag::region:
     return false;
   }
-  state.drag = PictureDrag::none;
+  state.mouse.drag = PictureDrag::none;
   return true;
 }
 

@@ -26,9 +26,9 @@ void store(Session& session, const PictureTransform& transform, Vec2i size) {
 void zoom_by_wheel(Session& session, PicturesState& state, const Area& area) {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.MouseWheel == 0) return;
-  const auto zoomed =
-      zoomed_about(state.transform, std::pow(wheel_factor, static_cast<double>(io.MouseWheel)), io.MousePos, area);
-  state.transform = zoomed;
+  const auto zoomed = zoomed_about(state.drawn.transform, std::pow(wheel_factor, static_cast<double>(io.MouseWheel)),
+                                   io.MousePos, area);
+  state.drawn.transform = zoomed;
   store(session, zoomed, state.pictures[0].size());
 }
 
@@ -60,9 +60,10 @@ void turn_by_drag(Session& session, PictureDrag drag, ImVec2 by) {
 /// Shift and the left button: the rectangle between where the drag began and where it is becomes all that is rendered.
 void drag_region(Session& session, const PicturesState& state, const Area& area) {
   const ImVec2 to = ImGui::GetIO().MousePos;
-  if (std::hypot(to.x - state.drag_from.x, to.y - state.drag_from.y) <= px(click_slack)) return;
+  if (std::hypot(to.x - state.mouse.drag_from.x, to.y - state.mouse.drag_from.y) <= px(click_slack)) return;
   const Vec2i size = state.pictures[0].size();
-  const Vec2i a = state.transform.pixel_at(state.drag_from, area), b = state.transform.pixel_at(to, area);
+  const Vec2i a = state.drawn.transform.pixel_at(state.mouse.drag_from, area),
+              b = state.drawn.transform.pixel_at(to, area);
   const TileRect region{std::max(std::min(a.x, b.x), 0), std::max(std::min(a.y, b.y), 0),
                         std::min(std::max(a.x, b.x) + 1, size.x), std::min(std::max(a.y, b.y) + 1, size.y)};
   if (region.x0 < region.x1 && region.y0 < region.y1) session.set_region(region);
@@ -71,45 +72,48 @@ void drag_region(Session& session, const PicturesState& state, const Area& area)
 void drag(Session& session, PicturesState& state, Side side, const Area& area) {
   const ImGuiIO& io = ImGui::GetIO();
   const ImVec2 by = io.MouseDelta;
-  switch (state.drag) {
+  switch (state.mouse.drag) {
   case PictureDrag::none:
     return;
   case PictureDrag::handle: {
-    const Vec2d from = state.transform.to_picture(state.drag_from, area);
-    const Vec2d to = state.transform.to_picture(io.MousePos, area);
-    const Vec2d moved{state.grabbed->place.x + to.x - from.x, state.grabbed->place.y + to.y - from.y};
-    if (by.x != 0 || by.y != 0) drag_handle(session, side, *state.grabbed, moved);
+    const Vec2d from = state.drawn.transform.to_picture(state.mouse.drag_from, area);
+    const Vec2d to = state.drawn.transform.to_picture(io.MousePos, area);
+    const Vec2d moved{state.mouse.grabbed->place.x + to.x - from.x, state.mouse.grabbed->place.y + to.y - from.y};
+    if (by.x != 0 || by.y != 0) drag_handle(session, side, *state.mouse.grabbed, moved);
     return;
   }
   case PictureDrag::gizmo:
-    if (by.x != 0 || by.y != 0) drag_gizmo(session, *state.gizmo_drag, state.transform.to_picture(io.MousePos, area));
+    if (by.x != 0 || by.y != 0)
+      drag_gizmo(session, *state.mouse.gizmo_drag, state.drawn.transform.to_picture(io.MousePos, area));
     return;
   case PictureDrag::undecided:
-    if (std::hypot(io.MousePos.x - state.drag_from.x, io.MousePos.y - state.drag_from.y) <= px(click_slack)) return;
-    if (state.gizmo_drag || state.grabbed) {
-      state.drag = state.gizmo_drag ? PictureDrag::gizmo : PictureDrag::handle;
+    if (std::hypot(io.MousePos.x - state.mouse.drag_from.x, io.MousePos.y - state.mouse.drag_from.y) <= px(click_slack))
+      return;
+    if (state.mouse.gizmo_drag || state.mouse.grabbed) {
+      state.mouse.drag = state.mouse.gizmo_drag ? PictureDrag::gizmo : PictureDrag::handle;
       drag(session, state, side, area);
       return;
     }
-    state.drag = PictureDrag::pan;
+    state.mouse.drag = PictureDrag::pan;
     store(session,
-          panned(state.transform, {io.MousePos.x - state.drag_from.x, io.MousePos.y - state.drag_from.y},
+          panned(state.drawn.transform,
+                 {io.MousePos.x - state.mouse.drag_from.x, io.MousePos.y - state.mouse.drag_from.y},
                  state.pictures[0].size()),
           state.pictures[0].size());
     return;
   case PictureDrag::pan:
     if (by.x != 0 || by.y != 0)
-      store(session, panned(state.transform, by, state.pictures[0].size()), state.pictures[0].size());
+      store(session, panned(state.drawn.transform, by, state.pictures[0].size()), state.pictures[0].size());
     return;
   case PictureDrag::region:
     drag_region(session, state, area);
     return;
   case PictureDrag::look:
   case PictureDrag::orbit:
-    if (by.x != 0 || by.y != 0) turn_by_drag(session, state.drag, by);
+    if (by.x != 0 || by.y != 0) turn_by_drag(session, state.mouse.drag, by);
     return;
   case PictureDrag::divider: {
-    const Area whole = state.transform.picture_area(state.pictures[0].size(), area);
+    const Area whole = state.drawn.transform.picture_area(state.pictures[0].size(), area);
     const float low = std::max(whole.min.x, area.min.x), high = std::min(whole.max.x, area.max.x);
     const double share = std::clamp((io.MousePos.x - low) / std::max(high - low, 1.f), 0.f, 1.f);
     session.navigate([&](Document& document) { document.split = share; });
@@ -126,42 +130,44 @@ void picture_input(Session& session, PicturesState& state, Side side, const Area
   const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   const bool held = ImGui::IsItemActive();
   const Vec2i size = state.pictures[0].size();
-  const Vec2i pixel = state.transform.pixel_at(io.MousePos, area);
+  const Vec2i pixel = state.drawn.transform.pixel_at(io.MousePos, area);
   const bool on_picture = pixel.x >= 0 && pixel.y >= 0 && pixel.x < size.x && pixel.y < size.y;
   const Side under = split_at && io.MousePos.x >= *split_at ? other_side(side) : side;
 
-  if (hovered && on_picture && !state.hidden[index_of(under)]) state.hover = Hover{under, pixel};
+  if (hovered && on_picture && !state.drawn.covers.hidden[index_of(under)]) state.mouse.hover = Hover{under, pixel};
   if (hovered) zoom_by_wheel(session, state, area);
   if (ImGui::IsItemActivated()) {
-    state.drag = drag_of_button(io, split_at);
-    state.drag_from = io.MousePos;
-    state.drag_side = under;
-    state.grabbed.reset();
-    state.gizmo_drag.reset();
-    if (state.drag == PictureDrag::undecided) state.gizmo_drag = take_gizmo(session, state, under, area, io.MousePos);
-    if (state.drag == PictureDrag::undecided && state.handles && !state.gizmo_drag) {
+    state.mouse.drag = drag_of_button(io, split_at);
+    state.mouse.drag_from = io.MousePos;
+    state.mouse.drag_side = under;
+    state.mouse.grabbed.reset();
+    state.mouse.gizmo_drag.reset();
+    if (state.mouse.drag == PictureDrag::undecided)
+      state.mouse.gizmo_drag = take_gizmo(session, state, under, area, io.MousePos);
+    if (state.mouse.drag == PictureDrag::undecided && state.handles && !state.mouse.gizmo_drag) {
       const auto handles =
-          visible_handles(session.scene(), session.view(), session.settings(under), state.transform, area);
-      if (const Handle* handle = handle_at(handles, io.MousePos, state.transform, area)) state.grabbed = *handle;
+          visible_handles(session.scene(), session.view(), session.settings(under), state.drawn.transform, area);
+      if (const Handle* handle = handle_at(handles, io.MousePos, state.drawn.transform, area))
+        state.mouse.grabbed = *handle;
     }
   }
-  if (held) drag(session, state, state.drag_side, area);
+  if (held) drag(session, state, state.mouse.drag_side, area);
   if (ImGui::IsItemDeactivated()) {
-    if (state.drag == PictureDrag::undecided && on_picture) {
+    if (state.mouse.drag == PictureDrag::undecided && on_picture) {
       session.set_pixel(pixel);
       session.navigate([&](Document& document) { document.picked = under; });
     }
-    if (state.drag == PictureDrag::look || state.drag == PictureDrag::orbit || state.drag == PictureDrag::handle ||
-        state.drag == PictureDrag::gizmo)
+    if (state.mouse.drag == PictureDrag::look || state.mouse.drag == PictureDrag::orbit ||
+        state.mouse.drag == PictureDrag::handle || state.mouse.drag == PictureDrag::gizmo)
       session.end_drag();
-    state.drag = PictureDrag::none;
+    state.mouse.drag = PictureDrag::none;
   }
   const bool on_divider = split_at && std::abs(io.MousePos.x - *split_at) <= px(divider_reach);
-  if (state.drag == PictureDrag::divider || (hovered && state.drag == PictureDrag::none && on_divider))
+  if (state.mouse.drag == PictureDrag::divider || (hovered && state.mouse.drag == PictureDrag::none && on_divider))
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
 }
 
-bool flying(const PicturesState& state) { return state.fly || state.drag == PictureDrag::look; }
+bool flying(const PicturesState& state) { return state.keys.fly || state.mouse.drag == PictureDrag::look; }
 
 bool fly_camera(Session& session, const PicturesState& state, double seconds) {
   if (!session.has_scene() || !flying(state) || ImGui::GetIO().WantTextInput || ImGui::GetIO().KeyCtrl) return false;

@@ -26,11 +26,11 @@ std::uint64_t hash_of(Session& session, PicturesState& pictures, Side side) {
   const std::size_t index = index_of(side);
   const RenderState state = session.renderer(side).status().state;
   const bool rendering = state == RenderState::coarse || state == RenderState::full;
-  if (pictures.fresh[index] && !rendering) {
-    pictures.hashes[index] = picture_hash(pictures.pictures[index].levels);
-    pictures.fresh[index] = false;
+  if (pictures.sides.fresh[index] && !rendering) {
+    pictures.sides.hashes[index] = picture_hash(pictures.pictures[index].levels);
+    pictures.sides.fresh[index] = false;
   }
-  return pictures.hashes[index];
+  return pictures.sides.hashes[index];
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ void offer_picture_values(Values& out, Session& session, PicturesState& pictures
     out.offer(name + "picture",
               [&session, &pictures, side] { return fmt::format("{:016x}", hash_of(session, pictures, side)); });
     out.offer(name + "picture-before", [&session, &pictures, side] {
-      const ShownPicture* before = pictures.before[index_of(side)].before(session.change());
+      const ShownPicture* before = pictures.sides.before[index_of(side)].before(session.change());
       return before ? fmt::format("{:016x}", picture_hash(before->levels)) : "none";
     });
     out.offer(name + "size", [&pictures, side] {
@@ -53,22 +53,22 @@ void offer_picture_values(Values& out, Session& session, PicturesState& pictures
     return hash_of(session, pictures, Side::a) == hash_of(session, pictures, Side::b);
   });
   out.offer("difference/levels", [&pictures] {
-    if (std::exchange(pictures.difference_fresh, false))
-      pictures.difference_hash = picture_hash(pictures.difference.levels);
-    return fmt::format("{:016x}", pictures.difference_hash);
+    if (std::exchange(pictures.difference.fresh, false))
+      pictures.difference.hash = picture_hash(pictures.difference.picture.levels);
+    return fmt::format("{:016x}", pictures.difference.hash);
   });
   out.offer("difference/measured", [&pictures] {
-    const auto measured = pictures.meter->result();
-    return measured ? fmt::format("{}", error_of(measured->comparison, pictures.difference_metric)) : "none";
+    const auto measured = pictures.difference.meter->result();
+    return measured ? fmt::format("{}", error_of(measured->comparison, pictures.difference.metric)) : "none";
   });
-  out.offer("zoom", [&pictures] { return pictures.transform.zoom; });
+  out.offer("zoom", [&pictures] { return pictures.drawn.transform.zoom; });
   out.offer("window/pictures-share", [&pictures] {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     return 100 * pixels_on_screen(pictures) / std::max(static_cast<double>(window.x) * window.y, 1.0);
   });
   offer_slow_motion_values(session, pictures.slow);
   out.offer("flying", [&pictures] { return flying(pictures); });
-  out.offer("flicker", [&pictures] { return pictures.flip; });
+  out.offer("flicker", [&pictures] { return pictures.keys.flip; });
 }
 
 }  // namespace ps::gui

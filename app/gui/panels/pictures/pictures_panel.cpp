@@ -27,22 +27,22 @@ void picture_handles(Session& session, PicturesState& state, Side side, const Ar
                      const std::string& prefix, bool hovered) {
   if (!session.has_scene()) return;
   picture_gizmo(session, state, side, area, clip, prefix, hovered);
-  if (!state.handles || state.drag == PictureDrag::gizmo) return;
-  const bool dragging = state.drag == PictureDrag::handle;
-  std::string held = dragging && state.drag_side == side ? state.grabbed->path : "";
-  auto all = visible_handles(session.scene(), session.view(), session.settings(side), state.transform, area);
+  if (!state.handles || state.mouse.drag == PictureDrag::gizmo) return;
+  const bool dragging = state.mouse.drag == PictureDrag::handle;
+  std::string held = dragging && state.mouse.drag_side == side ? state.mouse.grabbed->path : "";
+  auto all = visible_handles(session.scene(), session.view(), session.settings(side), state.drawn.transform, area);
   std::erase_if(all, [&](const Handle& handle) {
-    return handle.path != held && !clip.contains(state.transform.to_window(handle.place, area));
+    return handle.path != held && !clip.contains(state.drawn.transform.to_window(handle.place, area));
   });
-  record_handles(prefix, all, state.transform, area);
+  record_handles(prefix, all, state.drawn.transform, area);
   if (!hovered || flying(state)) return;
-  if (dragging && state.drag_side != side) return;
-  if (!dragging && state.drag != PictureDrag::none && state.drag != PictureDrag::undecided) return;
+  if (dragging && state.mouse.drag_side != side) return;
+  if (!dragging && state.mouse.drag != PictureDrag::none && state.mouse.drag != PictureDrag::undecided) return;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   if (!dragging && clip.contains(mouse))
-    if (const Handle* under = handle_at(all, mouse, state.transform, area)) held = under->path;
+    if (const Handle* under = handle_at(all, mouse, state.drawn.transform, area)) held = under->path;
   if (!held.empty()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
-  draw_handles(*ImGui::GetWindowDrawList(), all, held, state.transform, area);
+  draw_handles(*ImGui::GetWindowDrawList(), all, held, state.drawn.transform, area);
 }
 
 namespace {
@@ -82,15 +82,15 @@ void nothing_drawn(Session& session, Side side, const Area& area) {
 
 /// The picture of a side: its own, or while that is asked for the one before the last change.
 const ShownPicture& shown_picture(const Session& session, PicturesState& state, Side side) {
-  if (state.was)
-    if (const ShownPicture* before = state.before[index_of(side)].before(session.change())) return *before;
+  if (state.keys.was)
+    if (const ShownPicture* before = state.sides.before[index_of(side)].before(session.change())) return *before;
   return state.pictures[index_of(side)];
 }
 
 /// The line above what a side shows.
 void title(Session& session, PicturesState& state, Side side, const Area& row) {
   const bool is_before = &shown_picture(session, state, side) != &state.pictures[index_of(side)];
-  picture_title(session, side, row, state.captions, is_before ? "before the last change" : "");
+  picture_title(session, side, row, state.drawn.captions, is_before ? "before the last change" : "");
 }
 
 /// Hides a picture that would answer an open question. `area` is where it is seen.
@@ -115,9 +115,9 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
   controls().record(side == Side::a ? "view/a/picture" : "view/b/picture", std::string(1, letter_of(side)));
   const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
   picture_input(session, state, side, area, split ? std::optional(split->at) : std::nullopt);
-  state.areas[index] = area;
+  state.drawn.areas[index] = area;
 
-  const Side shown_side = state.flip ? other_side(side) : side;
+  const Side shown_side = state.keys.flip ? other_side(side) : side;
   const auto style_of = [&](Side which) {
     PictureStyle style;
     style.grid = state.grid;
@@ -135,15 +135,15 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
     return style;
   };
   const auto cover = [&](Side which) {
-    if (state.hidden[index_of(which)]) {
+    if (state.drawn.covers.hidden[index_of(which)]) {
       const ImVec2 low = list.GetClipRectMin(), high = list.GetClipRectMax();
       return cover_whole(list, which,
                          {{std::max(low.x, area.min.x), area.min.y}, {std::min(high.x, area.max.x), area.max.y}});
     }
-    if (!state.asked || state.asked->side != which) return;
-    const Vec2i pixel = state.asked->pixel;
-    const ImVec2 at = state.transform.to_window({pixel.x + 0.5, pixel.y + 0.5}, area);
-    const float radius = std::max(px(16), static_cast<float>(state.transform.zoom) * 3);
+    if (!state.drawn.covers.asked || state.drawn.covers.asked->side != which) return;
+    const Vec2i pixel = state.drawn.covers.asked->pixel;
+    const ImVec2 at = state.drawn.transform.to_window({pixel.x + 0.5, pixel.y + 0.5}, area);
+    const float radius = std::max(px(16), static_cast<float>(state.drawn.transform.zoom) * 3);
     list.AddCircleFilled(at, radius, colour_u32(palette().panel));
     list.AddCircle(at, radius, colour_u32(palette().text), 0, px(2));
     ImFont* font = theme().font(Face::heading);
@@ -153,18 +153,18 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
   const auto draw_nan = [&](Side which) {
     if (session.shown(which) != ShownChannel::colour) return;
     const auto result = session.renderer(which).result();
-    state.nan_pixels[index_of(which)].draw(list, result, state.transform, area);
+    state.sides.nan_pixels[index_of(which)].draw(list, result, state.drawn.transform, area);
     const auto pixels = result ? result->frame.counters.get(Counter::nan_pixels) : std::nullopt;
     if (pixels.value_or(0) > 0)
       controls().record(which == Side::a ? "view/a/nan" : "view/b/nan", area.min, area.max,
                         fmt::format("{} pixels are not a number", *pixels));
   };
   const auto mark_last = [&](Side which) {
-    if (state.hidden[index_of(which)] || state.was) return;
-    if (const auto slow = slow_state(session, which)) slow_mark(list, *slow, state.transform, area);
+    if (state.drawn.covers.hidden[index_of(which)] || state.keys.was) return;
+    if (const auto slow = slow_state(session, which)) slow_mark(list, *slow, state.drawn.transform, area);
   };
   list.PushClipRect(area.min, {split ? split->at : area.max.x, area.max.y}, true);
-  draw_picture(list, shown_picture(session, state, shown_side), state.transform, area, style_of(shown_side));
+  draw_picture(list, shown_picture(session, state, shown_side), state.drawn.transform, area, style_of(shown_side));
   draw_nan(shown_side);
   mark_last(shown_side);
   cover(shown_side);
@@ -172,20 +172,20 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
   if (split) {
     const Side right = other_side(shown_side);
     list.PushClipRect({split->at, area.min.y}, area.max, true);
-    draw_picture(list, shown_picture(session, state, right), state.transform, area, style_of(right));
+    draw_picture(list, shown_picture(session, state, right), state.drawn.transform, area, style_of(right));
     draw_nan(right);
     mark_last(right);
     cover(right);
     list.PopClipRect();
   }
-  if (session.shown(shown_side) != ShownChannel::colour && !state.hidden[index_of(shown_side)]) {
+  if (session.shown(shown_side) != ShownChannel::colour && !state.drawn.covers.hidden[index_of(shown_side)]) {
     ChannelLegend legend = session.renderer(shown_side).legend();
     for (auto& entry : legend.entries)
       if (entry.object >= 0) entry.meaning = object_name(session.scene(), entry.object);
     if (const auto scale = draw_legend(list, legend, area)) legend_range(session, state, shown_side, legend, *scale);
   }
   const auto handles_in = [&](Side which, const Area& clip) {
-    if (state.hidden[index_of(which)]) return;
+    if (state.drawn.covers.hidden[index_of(which)]) return;
     picture_handles(session, state, which, area, clip, which == Side::a ? "view/a" : "view/b", hovered);
   };
   if (split) {
@@ -278,33 +278,34 @@ std::string difference_text(Session& session, PicturesState& state) {
       return {};
   const Image<Rgb8>&a = state.pictures[0].levels, &b = state.pictures[1].levels;
   if (a.empty() || a.width() != b.width() || a.height() != b.height()) return {};
-  if (std::exchange(state.compared, state.versions) != state.versions) {
+  if (std::exchange(state.sides.compared, state.versions) != state.versions) {
     std::size_t count = 0;
     for (int y = 0; y < a.height(); ++y)
       for (int x = 0; x < a.width(); ++x) count += a.at(x, y) != b.at(x, y) ? 1 : 0;
-    state.differing = static_cast<double>(count) / (static_cast<double>(a.width()) * a.height());
+    state.sides.differing = static_cast<double>(count) / (static_cast<double>(a.width()) * a.height());
   }
-  if (state.differing == 0) return "the same picture as A";
-  return fmt::format("{} % of pixels differ", three_digits(100 * state.differing));
+  if (state.sides.differing == 0) return "the same picture as A";
+  return fmt::format("{} % of pixels differ", three_digits(100 * state.sides.differing));
 }
 
 void below(Session& session, PicturesState& state, Side side, const Area& footer, const std::string& lead = {}) {
-  auto& note = state.notes[index_of(side)];
+  auto& note = state.drawn.notes[index_of(side)];
   note.reset();
-  if (state.hidden[index_of(side)]) return;  // its counters would answer the question as well
-  note = picture_note(footer, state.captions);
+  if (state.drawn.covers.hidden[index_of(side)]) return;  // its counters would answer the question as well
+  note = picture_note(footer, state.drawn.captions);
   if (note) note = left_out_line(session, side, *note);
-  const std::string beside = side == Side::b && lead.empty() && state.compare != CompareMode::only_b
+  const std::string beside = side == Side::b && lead.empty() && state.drawn.compare != CompareMode::only_b
                                  ? difference_text(session, state)
                                  : std::string();
-  picture_footer(session, side, state.changes[index_of(side)], footer, state.captions, lead, beside);
+  picture_footer(session, side, state.sides.changes[index_of(side)], footer, state.drawn.captions, lead, beside);
 }
 
 void one_side(Session& session, PicturesState& state, Side side, const Area& area) {
   const auto [title_row, inner, footer] =
-      as_block(framed(area, state.captions), state.pictures[index_of(side)].size(), state.fit);
-  state.transform = current_transform(session.document(), state.pictures[index_of(side)].size(), inner, state.fit);
-  const Side shown = state.flip ? other_side(side) : side;
+      as_block(framed(area, state.drawn.captions), state.pictures[index_of(side)].size(), state.drawn.fit);
+  state.drawn.transform =
+      current_transform(session.document(), state.pictures[index_of(side)].size(), inner, state.drawn.fit);
+  const Side shown = state.keys.flip ? other_side(side) : side;
   title(session, state, shown, title_row);
   picture(session, state, side, inner, {});
   below(session, state, shown, footer);
@@ -312,18 +313,18 @@ void one_side(Session& session, PicturesState& state, Side side, const Area& are
 
 void split_view(Session& session, PicturesState& state, const Area& area) {
   const auto [title_row, inner, footer] =
-      as_block(framed(area, state.captions, 2), state.pictures[0].size(), state.fit);
-  state.transform = current_transform(session.document(), state.pictures[0].size(), inner, state.fit);
-  const Area whole = state.transform.picture_area(state.pictures[0].size(), inner);
+      as_block(framed(area, state.drawn.captions, 2), state.pictures[0].size(), state.drawn.fit);
+  state.drawn.transform = current_transform(session.document(), state.pictures[0].size(), inner, state.drawn.fit);
+  const Area whole = state.drawn.transform.picture_area(state.pictures[0].size(), inner);
   const float low = std::max(whole.min.x, inner.min.x), high = std::min(whole.max.x, inner.max.x);
   const float at = std::round(low + (high - low) * static_cast<float>(session.document().split));
   const float middle = (title_row.min.x + title_row.max.x) / 2, space = px(gap) / 2;
-  const Side left = state.flip ? Side::b : Side::a;
+  const Side left = state.keys.flip ? Side::b : Side::a;
   title(session, state, left, {title_row.min, {middle - space, title_row.max.y}});
   title(session, state, other_side(left), {{middle + space, title_row.min.y}, title_row.max});
-  state.split_at = at;
+  state.drawn.split_at = at;
   picture(session, state, Side::a, inner, Split{at});
-  state.areas[1] = inner;
+  state.drawn.areas[1] = inner;
   divider({{inner.min.x, std::max(inner.min.y, whole.min.y)}, {inner.max.x, std::min(inner.max.y, whole.max.y)}}, at,
           session.document().split);
   below(session, state, left, {footer.min, {middle - space, footer.max.y}});
@@ -332,7 +333,9 @@ void split_view(Session& session, PicturesState& state, const Area& area) {
 
 /// A and B around the mouse, greatly enlarged, side by side.
 void loupe(const PicturesState& state) {
-  if (!state.loupe || !state.hover || state.asked || state.hidden[0] || state.hidden[1]) return;
+  if (!state.keys.loupe || !state.mouse.hover || state.drawn.covers.asked || state.drawn.covers.hidden[0] ||
+      state.drawn.covers.hidden[1])
+    return;
   auto& list = *ImGui::GetForegroundDrawList();
   const float size = px(195), space = px(6), away = px(24);
   const ImVec2 mouse = ImGui::GetIO().MousePos, window = ImGui::GetIO().DisplaySize;
@@ -342,7 +345,7 @@ void loupe(const PicturesState& state) {
   corner = {std::max(corner.x, 0.f), std::max(corner.y, 0.f)};
   for (const Side side : both_sides) {
     const float left = corner.x + static_cast<float>(index_of(side)) * (size + space);
-    draw_loupe(list, state.pictures[index_of(side)], state.hover->pixel,
+    draw_loupe(list, state.pictures[index_of(side)], state.mouse.hover->pixel,
                {{left, corner.y}, {left + size, corner.y + size}});
     side_badge(list, {left + px(4), corner.y + px(4)}, px(20), side);
   }
@@ -365,65 +368,68 @@ void collect_pictures(Session& session, PicturesState& state) {
     auto& picture = state.pictures[index_of(side)];
     std::vector<TileRect> changed;
     if (const auto file = session.picture_b(); side == Side::b && file) {
-      if (state.file == file) continue;
+      if (state.sides.file == file) continue;
       picture.levels = file->levels;
       changed = {{0, 0, file->levels.width(), file->levels.height()}};
     } else {
       changed = session.renderer(side).collect(picture.levels);
     }
-    if (side == Side::b) state.file = session.picture_b();
+    if (side == Side::b) state.sides.file = session.picture_b();
     const std::size_t index = index_of(side);
     if (!changed.empty()) {
       picture.upload(changed);
       ++state.versions[index];
-      state.fresh[index] = true;
-      state.difference_stale = true;
+      state.sides.fresh[index] = true;
+      state.difference.stale = true;
     }
-    if (state.taken[index] == state.versions[index] || session.renderer(side).status().state != RenderState::done)
+    if (state.sides.taken[index] == state.versions[index] || session.renderer(side).status().state != RenderState::done)
       continue;
-    state.taken[index] = state.versions[index];
-    state.before[index].take(picture.levels, session.shown(side), session.change());
+    state.sides.taken[index] = state.versions[index];
+    state.sides.before[index].take(picture.levels, session.shown(side), session.change());
   }
 }
 
 double pixels_on_screen(const PicturesState& state) {
   const auto seen = [&](Side side) {
-    const auto& area = state.areas[index_of(side)];
+    const auto& area = state.drawn.areas[index_of(side)];
     const Vec2i size = state.pictures[index_of(side)].size();
     if (!area || size.x <= 0) return 0.0;
-    const Area whole = state.transform.picture_area(size, *area);
+    const Area whole = state.drawn.transform.picture_area(size, *area);
     const double width = std::min(whole.max.x, area->max.x) - std::max(whole.min.x, area->min.x);
     const double height = std::min(whole.max.y, area->max.y) - std::max(whole.min.y, area->min.y);
     return std::max(width, 0.0) * std::max(height, 0.0);
   };
-  const auto& [a, b] = state.areas;
+  const auto& [a, b] = state.drawn.areas;
   const bool share_one = a && b && a->min.x == b->min.x && a->min.y == b->min.y;
   return share_one ? seen(Side::a) : seen(Side::a) + seen(Side::b);
 }
 
 void pictures_panel(Session& session, PicturesState& state, const Area& area, const PicturePlace& place) {
-  state.captions = place.captions;
-  state.fit = PictureFit::even_pixels;
-  state.split_at.reset();
-  state.areas = {};
-  state.notes = {};
-  state.hover.reset();
+  state.drawn.captions = place.captions;
+  state.drawn.covers = place.covers;
+  state.drawn.fit = PictureFit::even_pixels;
+  state.drawn.split_at.reset();
+  state.drawn.areas = {};
+  state.drawn.notes = {};
+  state.mouse.hover.reset();
   // Only the difference asks for its number; one that comes after it was left must not keep the window from resting.
-  state.meter->rest();
-  state.meter->take_news();
-  const CompareMode compared_last = std::exchange(state.compare, session.document().compare);
+  state.difference.meter->rest();
+  state.difference.meter->take_news();
+  const CompareMode compared_last = std::exchange(state.drawn.compare, session.document().compare);
   const Vec2i size = state.pictures[0].size();
-  const Area one = framed(area, state.captions, 2).picture;
-  if (pixels_of(size, one, PictureFit::even_pixels) < place.least_pixels) state.fit = PictureFit::whole_place;
+  const Area one = framed(area, state.drawn.captions, 2).picture;
+  if (pixels_of(size, one, PictureFit::even_pixels) < place.least_pixels) state.drawn.fit = PictureFit::whole_place;
   switch (session.document().compare) {
   case CompareMode::side_by_side: {
-    const auto parts = halves(area, size, state.captions);
-    const Area each = framed(parts.first, state.captions).picture;
-    state.fit = PictureFit::even_pixels;
-    if (2 * pixels_of(size, each, PictureFit::even_pixels) < place.least_pixels) state.fit = PictureFit::whole_place;
-    const double two = 2 * pixels_of(size, each, state.fit);
-    if (place.two == TwoPictures::may_share && two < place.least_pixels && pixels_of(size, one, state.fit) > two) {
-      state.compare = CompareMode::split;
+    const auto parts = halves(area, size, state.drawn.captions);
+    const Area each = framed(parts.first, state.drawn.captions).picture;
+    state.drawn.fit = PictureFit::even_pixels;
+    if (2 * pixels_of(size, each, PictureFit::even_pixels) < place.least_pixels)
+      state.drawn.fit = PictureFit::whole_place;
+    const double two = 2 * pixels_of(size, each, state.drawn.fit);
+    if (place.two == TwoPictures::may_share && two < place.least_pixels &&
+        pixels_of(size, one, state.drawn.fit) > two) {
+      state.drawn.compare = CompareMode::split;
       split_view(session, state, area);
       break;
     }
@@ -435,14 +441,15 @@ void pictures_panel(Session& session, PicturesState& state, const Area& area, co
     split_view(session, state, area);
     break;
   case CompareMode::difference: {
-    auto [title, inner, footer] = framed(area, state.captions, 2);
+    auto [title, inner, footer] = framed(area, state.drawn.captions, 2);
     // Its tools are as high as controls are, also where titles are brief.
     inner.min.y = title.max.y = std::max(title.max.y, title.min.y + ImGui::GetFrameHeight() + px(4));
     const DifferencePlaces places = difference_places(inner, state.pictures[0].size());
-    state.transform = current_transform(session.document(), state.pictures[0].size(), places.picture, state.fit);
+    state.drawn.transform =
+        current_transform(session.document(), state.pictures[0].size(), places.picture, state.drawn.fit);
     difference_view(session, state, title, places);
     for (const Side side : both_sides)  // the difference shows both
-      if (state.hidden[index_of(side)]) cover_whole(*ImGui::GetWindowDrawList(), side, inner);
+      if (state.drawn.covers.hidden[index_of(side)]) cover_whole(*ImGui::GetWindowDrawList(), side, inner);
     const float middle = (area.min.x + area.max.x) / 2, space = px(gap) / 2;
     below(session, state, Side::a, {footer.min, {middle - space, footer.max.y}}, "A   ");
     below(session, state, Side::b, {{middle + space, footer.min.y}, footer.max}, "B   ");
@@ -455,9 +462,10 @@ void pictures_panel(Session& session, PicturesState& state, const Area& area, co
     one_side(session, state, Side::b, area);
     break;
   }
-  if (state.compare != compared_last) redraw_after(0);  // the menu bar, which was drawn before, shows it
+  if (state.drawn.compare != compared_last) redraw_after(0);  // the menu bar, which was drawn before, shows it
   loupe(state);
-  if (state.hover) prepare_story(session, session.renderer(state.hover->side), *state.hover, state.ahead);
+  if (state.mouse.hover)
+    prepare_story(session, session.renderer(state.mouse.hover->side), *state.mouse.hover, state.ahead);
 }
 
 }  // namespace ps::gui

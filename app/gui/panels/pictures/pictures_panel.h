@@ -20,6 +20,18 @@
 
 namespace ps::gui {
 
+/// What the mouse is over.
+struct Hover {
+  Side side = Side::a;
+  Vec2i pixel{0, 0};
+};
+
+/// The parts of the pictures that an open question covers.
+struct PictureCovers {
+  std::optional<Hover> asked;    ///< the pixel that it is about: its surroundings
+  std::array<bool, 2> hidden{};  ///< pictures that would answer it: the whole
+};
+
 /// Whether two pictures side by side may give way to one that they share, where they would be small.
 enum class TwoPictures { may_share, stay };
 
@@ -28,12 +40,7 @@ struct PicturePlace {
   PictureCaptions captions = PictureCaptions::full;
   double least_pixels = 0;  ///< of the window, that both together shall take
   TwoPictures two = TwoPictures::may_share;
-};
-
-/// What the mouse is over.
-struct Hover {
-  Side side = Side::a;
-  Vec2i pixel{0, 0};
+  PictureCovers covers{};
 };
 
 constexpr double divider_reach = 10;  ///< pixels to both sides of the split's divider that take hold of it, at scale 1
@@ -48,63 +55,89 @@ struct UsualRange {
   ValueRange values;
 };
 
-/// What the pictures remember of themselves. The document holds the rest.
-struct PicturesState {
-  std::array<ShownPicture, 2> pictures;
-  std::array<std::uint64_t, 2> versions{};  ///< one more with each change
-  std::shared_ptr<const PictureFile> file;  ///< that is in B's place
-  std::array<bool, 2> fresh{};              ///< changed since their hash was taken
-  std::array<std::uint64_t, 2> hashes{};    ///< of the pictures' levels, for tests
+/// Facts about each side's picture.
+struct SidePictures {
+  std::array<bool, 2> fresh{};            ///< changed since their hash was taken
+  std::array<std::uint64_t, 2> hashes{};  ///< of the pictures' levels, for tests
   std::array<NanPixels, 2> nan_pixels;
   std::array<UsualRange, 2> usual;
-  std::array<PictureBefore, 2> before;   ///< the last change
-  std::array<std::uint64_t, 2> taken{};  ///< the versions that `before` knows of
-  std::array<CaptionChange, 2> changes;  ///< of the counts below the pictures
-  SlowMotionState slow;
+  std::array<PictureBefore, 2> before;      ///< the last change
+  std::array<std::uint64_t, 2> taken{};     ///< the versions that `before` knows of
+  std::array<CaptionChange, 2> changes;     ///< of the counts below the pictures
+  std::shared_ptr<const PictureFile> file;  ///< that is in B's place
   std::array<std::uint64_t, 2> compared{};  ///< the versions that `differing` counts
   double differing = 0;                     ///< share of the pixels whose levels are not the same in A and B
-  ShownPicture difference;
-  bool difference_stale = true;
-  bool difference_fresh = false;      ///< made since its hash was taken
-  std::uint64_t difference_hash = 0;  ///< of its levels, for tests
-  bool identical = false;             ///< the levels of A and B, when the difference was last made
-  std::array<std::weak_ptr<const Image<Vec3f>>, 2> compared_values;  ///< behind pictures of equal levels
-  Comparison value_difference;                                       ///< of these
-  AlphaDifference alpha_difference;  ///< of a file in B's place and a render, which is opaque
-  DifferenceMode difference_mode = DifferenceMode::absolute;
-  Image<float> difference_values;  ///< what the difference shows of each pixel
-  DifferenceNumbers difference_numbers;
-  double difference_gain = 1;                         ///< with which it is shown
-  double difference_asked = 0;                        ///< gain that the document asked for then
-  bool difference_settled = false;                    ///< its gain is that of whole pictures
-  ErrorMetric difference_metric = ErrorMetric::rmse;  ///< beside the difference
-  std::unique_ptr<DifferenceMeter> meter;             ///< made by the owner of the state
-  StoryAhead ahead;                                   ///< of the picture under the mouse
+};
 
-  bool grid = true;
-  bool flip = false;   ///< held: each picture gives way to the other
-  bool loupe = false;  ///< held
-  bool was = false;    ///< held: pictures as they were before the last change
+/// B - A, and how it is shown. One thing, so it is one struct, of more than twelve members.
+struct ShownDifference {
+  explicit ShownDifference(const std::function<void()>& wake) : meter(std::make_unique<DifferenceMeter>(wake)) {}
+
+  ShownPicture picture;
+  bool stale = true;
+  bool fresh = false;                                         ///< made since its hash was taken
+  std::uint64_t hash = 0;                                     ///< of its levels, for tests
+  bool identical = false;                                     ///< the levels of A and B, when it was last made
+  std::array<std::weak_ptr<const Image<Vec3f>>, 2> compared;  ///< values behind pictures of equal levels
+  Comparison of_values;                                       ///< of these
+  AlphaDifference of_alpha;                                   ///< of a file in B's place and a render, which is opaque
+  DifferenceMode mode = DifferenceMode::absolute;
+  Image<float> values;  ///< what it shows of each pixel
+  DifferenceNumbers numbers;
+  double gain = 1;                         ///< with which it is shown
+  double asked = 0;                        ///< gain that the document asked for then
+  bool settled = false;                    ///< its gain is that of whole pictures
+  ErrorMetric metric = ErrorMetric::rmse;  ///< beside it
+  std::unique_ptr<DifferenceMeter> meter;
+};
+
+/// Keys that change what is seen; all but the last are held.
+struct PictureKeys {
+  bool flip = false;   ///< each picture gives way to the other
+  bool loupe = false;  ///< both are enlarged around the pointer
+  bool was = false;    ///< pictures as they were before the last change
   bool fly = false;    ///< letters move the camera
+};
 
-  PictureCaptions captions = PictureCaptions::full;  ///< as they were drawn last
-  CompareMode compare = CompareMode::side_by_side;   ///< the same: split where side by side had no room
+/// How the pictures were drawn last.
+struct DrawnPictures {
+  PictureCaptions captions = PictureCaptions::full;
+  CompareMode compare = CompareMode::side_by_side;  ///< split where side by side had no room
   PictureFit fit = PictureFit::even_pixels;
   std::optional<float> split_at;             ///< the divider's place in the window, while A and B share one picture
   std::array<std::optional<Area>, 2> areas;  ///< where each side was drawn in the last frame
   std::array<std::optional<Area>, 2> notes;  ///< the row for a note below each of them
   PictureTransform transform;                ///< shared by all views
+  PictureCovers covers;
+};
+
+/// The mouse in the pictures.
+struct PictureMouse {
   std::optional<Hover> hover;
-  std::optional<Hover> asked;    ///< the pixel that an open question is about: its surroundings are covered
-  std::array<bool, 2> hidden{};  ///< pictures that would answer an open question: covered whole
   PictureDrag drag = PictureDrag::none;
   ImVec2 drag_from{0, 0};
-  bool handles = true;                  ///< lights and spheres can be dragged
   Side drag_side = Side::a;             ///< in whose picture the drag began
   std::optional<Handle> grabbed;        ///< the handle being dragged, as it was at the start
-  bool gizmo = false;                   ///< the picked object can be moved, turned and scaled
   std::optional<GizmoDrag> gizmo_drag;  ///< the part of the gizmo being dragged
-  PickedObject picked;
+};
+
+/// What the pictures remember of themselves. The document holds the rest.
+struct PicturesState {
+  /// `wake` may be called from any thread; `object` must outlive it.
+  PicturesState(const std::function<void()>& wake, ObjectSelection& object) : difference(wake), selection(object) {}
+
+  std::array<ShownPicture, 2> pictures;
+  std::array<std::uint64_t, 2> versions{};  ///< one more with each change
+  SidePictures sides;
+  SlowMotionState slow;
+  ShownDifference difference;
+  StoryAhead ahead;  ///< of the picture under the mouse
+  bool grid = true;
+  bool handles = true;  ///< lights and spheres can be dragged
+  PictureKeys keys;
+  DrawnPictures drawn;
+  PictureMouse mouse;
+  ObjectSelection& selection;
 };
 
 /// Takes over what the renderers have made since the last frame.

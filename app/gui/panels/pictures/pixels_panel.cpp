@@ -297,15 +297,26 @@ PixelsPanelState::PixelsPanelState(std::function<void()> wake)
                const CostRequest& request, Progress& progress) { return count_tests(request, *prepared, progress); },
            same_cost, std::move(wake)) {}
 
-void update_pixels(Session& session, PixelsPanelState& state, const PicturesState& pictures) {
-  if (session.has_scene() && still(session))
-    state.watched.note(pictures.pictures[0].levels, pictures.pictures[1].levels);
+PixelsPanel::PixelsPanel(const PanelHost& host, const PicturesState& pictures)
+    : Panel(host, {.name = "pixels",
+                   .use = PanelUse::study,
+                   .group = ToolGroup::pixels,
+                   .height = PanelHeight::tall,
+                   .heading = "PIXELS",
+                   .brief = "Pixels",
+                   .command = "Pixels: the worst ones",
+                   .help = "The worst pixels, watched pixels, and the levels of a rectangle."}),
+      pictures_(pictures), state_(host.wake) {}
+
+void PixelsPanel::update() {
+  if (session_.has_scene() && still(session_))
+    state_.watched.note(pictures_.pictures[0].levels, pictures_.pictures[1].levels);
 }
 
-bool pixels_panel(Session& session, PixelsPanelState& state, const PicturesState& pictures, bool filled) {
+bool PixelsPanel::draw(const Context& context) {
   const NameScope scope("pixels");
-  if (!session.has_scene()) return false;
-  refresh(session, state, pictures);
+  if (!session_.has_scene()) return false;
+  refresh(session_, state_, pictures_);
   ImGui::BeginChild("pixels");
   const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetContentRegionAvail().y;
   const bool beside = room >= px(2 * column_width);
@@ -324,15 +335,15 @@ bool pixels_panel(Session& session, PixelsPanelState& state, const PicturesState
     ImGui::EndChild();
   };
   bool fill = false;
-  part(0, "worst-list", [&] { fill = worst_list(session, state, pictures, filled); });
+  part(0, "worst-list", [&] { fill = worst_list(session_, state_, pictures_, context.filled); });
   if (columns == 3 || !beside) {
-    part(1, "watched-list", [&] { watched_list(session, state); });
-    part(2, "region-view", [&] { region_view(session, state); });
+    part(1, "watched-list", [&] { watched_list(session_, state_); });
+    part(2, "region-view", [&] { region_view(session_, state_); });
   } else {
     part(1, "others", [&] {
-      watched_list(session, state);
+      watched_list(session_, state_);
       ImGui::Separator();
-      region_view(session, state);
+      region_view(session_, state_);
     });
   }
   ImGui::EndChild();

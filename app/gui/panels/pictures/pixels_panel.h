@@ -2,6 +2,7 @@
 #include <functional>
 #include <memory>
 
+#include "gui/panels/panel.h"
 #include "gui/panels/pictures/pictures_panel.h"
 #include "gui/session/watched_pixels.h"
 #include "gui/work/latest_result.h"
@@ -37,10 +38,18 @@ struct PixelsPanelState {
 };
 
 /// The pixels that differ most or cost most, watched pixels, and statistics of a rectangle. A click on a pixel picks
-/// it. `filled`: it has the whole window; answers whether that shall change.
-bool pixels_panel(Session& session, PixelsPanelState& state, const PicturesState& pictures, bool filled);
+/// it.
+class PixelsPanel final : public Panel {
+ public:
+  PixelsPanel(const PanelHost& host, const PicturesState& pictures);
+  bool draw(const Context& context) override;
+  /// Brings watched pixels up to date.
+  void update() override;
+  bool busy() const override { return works(state_.cost); }
 
-/// Brings watched pixels up to date; also while the panel is not shown.
-void update_pixels(Session& session, PixelsPanelState& state, const PicturesState& pictures);
+ private:
+  const PicturesState& pictures_;
+  PixelsPanelState state_;
+};
 
 }  // namespace ps::gui

@@ -17,12 +17,12 @@ namespace ps::gui {
 namespace {
 
 /// The picture of a scene by its number in the list; nullptr while it is being made.
-const Texture* picture_of(SceneGallery& gallery, std::size_t number, int width, int height) {
-  return gallery.thumbnails.find(
-      number, width, height, [name = builtin_scenes()[number].name, width, height](Prepared&, Progress& progress) {
-        Prepared own;  // what a scene needs for its picture is not kept
-        return thumbnail_of_a(open_document(name, load_scene(name)), width, height, own, progress);
-      });
+const Texture* picture_of(Thumbnails& thumbnails, std::size_t number, int width, int height) {
+  return thumbnails.find(number, width, height,
+                         [name = builtin_scenes()[number].name, width, height](Prepared&, Progress& progress) {
+                           Prepared own;  // what a scene needs for its picture is not kept
+                           return thumbnail_of_a(open_document(name, load_scene(name)), width, height, own, progress);
+                         });
 }
 
 std::vector<std::size_t> found_scenes(const std::string& search) {
@@ -33,25 +33,6 @@ std::vector<std::size_t> found_scenes(const std::string& search) {
       found.push_back(i);
   }
   return found;
-}
-
-/// The tiles of what was found, a heading over each book. Answers the one that was chosen.
-std::string scene_tiles(SceneGallery& gallery, const std::vector<std::size_t>& found) {
-  std::string chosen, book;
-  PictureTiles tiles(gallery.selected, found.size(), {});
-  for (const std::size_t number : found) {
-    const BuiltinScene& scene = builtin_scenes()[number];
-    const std::string title = book_title(scene.name);
-    if (title != book) tiles.heading(title);
-    book = title;
-    if (tiles.tile({.name = scene.name,
-                    .title = scene.title,
-                    .note = {},
-                    .tooltip = scene.title + " (" + scene.name + ")\n" + scene.description,
-                    .picture = [&](int width, int height) { return picture_of(gallery, number, width, height); }}))
-      chosen = scene.name;
-  }
-  return chosen;
 }
 
 }  // namespace
@@ -66,43 +47,69 @@ std::string book_title(const std::string& scene_name) {
   return book;
 }
 
-void open_scene_gallery(SceneGallery& gallery) {
-  gallery.open = gallery.just_opened = true;
-  gallery.search.clear();
-  gallery.selected = 0;
+/// The tiles of what was found, a heading over each book. Answers the one that was chosen.
+std::string SceneGallery::tiles(const std::vector<std::size_t>& found) {
+  std::string chosen, book;
+  PictureTiles pictures(selected_, found.size(), {});
+  for (const std::size_t number : found) {
+    const BuiltinScene& scene = builtin_scenes()[number];
+    const std::string title = book_title(scene.name);
+    if (title != book) pictures.heading(title);
+    book = title;
+    if (pictures.tile(
+            {.name = scene.name,
+             .title = scene.title,
+             .note = {},
+             .tooltip = scene.title + " (" + scene.name + ")\n" + scene.description,
+             .picture = [&](int width, int height) { return picture_of(thumbnails_, number, width, height); }}))
+      chosen = scene.name;
+  }
+  return chosen;
 }
 
-void scene_gallery(Session& session, SceneGallery& gallery) {
-  if (!gallery.open) return;
+void SceneGallery::add_actions(Actions& actions) {
+  ActionGroup(actions, "Scene").add("scenes", "Gallery of scenes", "Ctrl+Shift+O", [this] {
+    open_ = just_opened_ = true;
+    search_.clear();
+    selected_ = 0;
+  });
+}
+
+void SceneGallery::offer(Values& out) {
+  out.offer("scenes/open", [this] { return open_; });
+}
+
+bool SceneGallery::draw(const Context&) {
+  if (!open_) return false;
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const Overlay window("##scenes", {px(20), px(20)}, {display.x - px(40), display.y - px(40)},
-                       ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove, gallery.just_opened);
+                       ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove, just_opened_);
   const NameScope names("scenes");
   {
     const FontScope title(Face::heading);
     ImGui::TextUnformatted("Scenes");
   }
   ImGui::SameLine(px(140));
-  if (gallery.just_opened) ImGui::SetKeyboardFocusHere();
-  if (search_box("search", gallery.search, "Search: z-fighting, glass, shadow ...", {.width = px(340)}))
-    gallery.selected = 0;
-  const std::vector<std::size_t> found = found_scenes(gallery.search);
+  if (just_opened_) ImGui::SetKeyboardFocusHere();
+  if (search_box("search", search_, "Search: z-fighting, glass, shadow ...", {.width = px(340)})) selected_ = 0;
+  const std::vector<std::size_t> found = found_scenes(search_);
   ImGui::SameLine();
   value_text("count", found.empty() ? "No scene has these words."
                                     : std::to_string(found.size()) + (found.size() == 1 ? " scene" : " scenes"));
   ImGui::SameLine(ImGui::GetWindowWidth() - px(24) - px(84));
-  if (button("close", "Close", Emphasis::plain, {.width = px(84)})) gallery.open = false;
+  if (button("close", "Close", Emphasis::plain, {.width = px(84)})) open_ = false;
   ImGui::Dummy({0, px(2)});
   ImGui::BeginChild("##tiles");
-  std::string chosen = scene_tiles(gallery, found);
+  std::string chosen = tiles(found);
   ImGui::EndChild();
-  if (!gallery.just_opened && key_pressed(Key::enter) && !found.empty())
-    chosen = builtin_scenes()[found[static_cast<std::size_t>(gallery.selected)]].name;
-  if (!chosen.empty()) session.open(chosen);
-  if (window.left() || !chosen.empty()) gallery.open = false;
+  if (!just_opened_ && key_pressed(Key::enter) && !found.empty())
+    chosen = builtin_scenes()[found[static_cast<std::size_t>(selected_)]].name;
+  if (!chosen.empty()) session_.open(chosen);
+  if (window.left() || !chosen.empty()) open_ = false;
   std::set<std::uint64_t> ids;
   for (std::size_t i = 0; i < builtin_scenes().size(); ++i) ids.insert(i);
-  gallery.thumbnails.update(ids);
+  thumbnails_.update(ids);
+  return false;
 }
 
 }  // namespace ps::gui

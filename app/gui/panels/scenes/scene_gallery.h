@@ -1,29 +1,29 @@
 #pragma once
-#include <functional>
 #include <string>
-#include <utility>
+#include <vector>
 
-#include "gui/session/session.h"
+#include "gui/panels/sheet.h"
 #include "gui/work/thumbnails.h"
 
 namespace ps::gui {
 
 /// The scenes that the program ships with, as pictures over the whole window.
-struct SceneGallery {
-  /// `wake` may be called from any thread.
-  explicit SceneGallery(std::function<void()> wake) : thumbnails(std::move(wake)) {}
+class SceneGallery final : public Sheet {
+ public:
+  explicit SceneGallery(const PanelHost& host) : Sheet(host, "scenes"), thumbnails_(host.wake) {}
+  /// A click, or Enter for the selected one, opens a scene.
+  bool draw(const Context& context) override;
+  void add_actions(Actions& actions) override;
+  void offer(Values& out) override;
+  bool busy() const override { return open_ && thumbnails_.busy(); }
 
-  bool open = false;
-  bool just_opened = false;
-  std::string search;
-  int selected = 0;  ///< of those that are found
-  Thumbnails thumbnails;
+ private:
+  std::string tiles(const std::vector<std::size_t>& found);
+
+  std::string search_;
+  int selected_ = 0;  ///< of those that are found
+  Thumbnails thumbnails_;
 };
-
-void open_scene_gallery(SceneGallery& gallery);
-
-/// Draws it while it is open. A click, or Enter for the selected one, opens a scene; Esc or a click outside closes it.
-void scene_gallery(Session& session, SceneGallery& gallery);
 
 /// The full title of the book that a scene's name begins with: "cgfs/shadows" is in "Computer Graphics from Scratch".
 std::string book_title(const std::string& scene_name);

@@ -16,7 +16,7 @@ Sight sight_of(const SpacePanelState& state) { return {state.picture->view, {}};
 std::vector<ShownGizmo> gizmos_in_space(const Session& session, const SpacePanelState& state,
                                         const PicturesState& pictures, const Area& area) {
   std::vector<ShownGizmo> all;
-  if (!pictures.gizmo || !state.picture) return all;
+  if (!pictures.selection.gizmo || !state.picture) return all;
   PictureToWindow to_window;
   to_window.point = [&](const Vec2d& place) {
     return ImVec2{area.min.x + static_cast<float>(place.x), area.min.y + static_cast<float>(place.y)};
@@ -26,7 +26,7 @@ std::vector<ShownGizmo> gizmos_in_space(const Session& session, const SpacePanel
   const auto add = [&](const Gizmo& gizmo) {
     if (auto shown = shown_gizmo(gizmo, sight_of(state), to_window)) all.push_back(std::move(*shown));
   };
-  if (const auto object = pictures.picked.index(session))
+  if (const auto object = pictures.selection.object.index(session))
     if (const auto gizmo = gizmo_of(session.scene(), *object)) add(*gizmo);
   if (!session.document().story.outside.through_camera) add(gizmo_of(session.view().camera));
   return all;
@@ -82,11 +82,11 @@ void draw_space_gizmos(const Session& session, const SpacePanelState& state, con
   }
 }
 
-bool cancel_space_drag(Session& session, SpacePanelState& state) {
-  if (!state.gizmo_drag) return false;
-  session.cancel_drag(gizmo_step);
-  state.gizmo_drag.reset();
-  state.cancelled = true;
+bool SpacePanel::cancel_drag() {
+  if (!state_.gizmo_drag) return false;
+  session_.cancel_drag(gizmo_step);
+  state_.gizmo_drag.reset();
+  state_.cancelled = true;
   return true;
 }
 

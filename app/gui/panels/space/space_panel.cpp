@@ -201,8 +201,27 @@ void look_from(Session& session) {
     set_preset(session, static_cast<SpacePreset>(index));
 }
 
+/// The parts of the model that are drawn.
+SpaceLook look_of(const Session& session, const SpacePanelState& state) {
+  SpaceLook look;
+  look.groups = shown_groups(outside(session));
+  look.least_contribution = outside(session).least_contribution;
+  look.deepest_level = static_cast<int>(outside(session).deepest_level);
+  look.up_to_event = drawn_until(session, state);
+  if (state.shown_story)
+    look.highlighted = shown_event(state.model, *state.shown_story, session.selected_event(inspected_side(session)));
+  return look;
+}
+
+/// What the panel shows now as an SVG file; empty before the first picture has come.
+std::string space_drawing(const Session& session, const SpacePanelState& state) {
+  if (!state.picture || !session.has_scene()) return {};
+  return space_svg(state.model, *state.picture, look_of(session, state));
+}
+
 /// Answers whether to fill the window, or no longer.
-bool toolbar(Session& session, SpacePanelState& state, int selected, double aspect, bool filled) {
+bool toolbar(SpacePanelState& state, const PanelHost& host, int selected, double aspect, bool filled) {
+  Session& session = host.session;
   play_buttons(session, state, selected);
   speed_choice(state);
   look_from(session);
@@ -212,10 +231,10 @@ bool toolbar(Session& session, SpacePanelState& state, int selected, double aspe
   same_line_if_room(button_width("Show…"), px(2));
   show_popup(session, state);
   hide_negligible(session);
-  if (state.save) {
-    same_line_if_room(button_width("Save SVG…"), px(2));
-    if (button("svg", "Save SVG…", Emphasis::quiet, {.tooltip = "Saves this view as a drawing."})) state.save();
-  }
+  same_line_if_room(button_width("Save SVG…"), px(2));
+  if (button("svg", "Save SVG…", Emphasis::quiet, {.tooltip = "Saves this view as a drawing."}))
+    host.send(
+        SaveDrawing{"Save the view from outside", "space.svg", [&] { return space_drawing(host.session, state); }});
   same_line_if_room(button_width("Fill"), px(2));
   return button_on_off("fill", "Fill", filled, {.tooltip = "Shows this view in the whole window (double click; Esc)."});
 }
@@ -271,18 +290,6 @@ void caption(const SpacePanelState& state, const Session& session, int event, co
   draw_lines(at, text, palette().text);
 }
 
-/// The parts of the model that are drawn.
-SpaceLook look_of(const Session& session, const SpacePanelState& state) {
-  SpaceLook look;
-  look.groups = shown_groups(outside(session));
-  look.least_contribution = outside(session).least_contribution;
-  look.deepest_level = static_cast<int>(outside(session).deepest_level);
-  look.up_to_event = drawn_until(session, state);
-  if (state.shown_story)
-    look.highlighted = shown_event(state.model, *state.shown_story, session.selected_event(inspected_side(session)));
-  return look;
-}
-
 bool same_vertex(const VertexChain* a, const std::optional<VertexChain>& b) {
   return (a != nullptr) == b.has_value() && (!a || (a->id == b->id && a->world == b->world && a->camera == b->camera));
 }
@@ -304,8 +311,36 @@ void update_tree(Session& session, SpacePanelState& state) {
 
 }  // namespace
 
-void update_space(Session& session, SpacePanelState& state, const VertexChain* vertex) {
+SpacePanel::SpacePanel(const PanelHost& host, const PicturesState& pictures, VertexPanel& vertex)
+    : Panel(host, {.name = "space",
+                   .answers = Answers::yes,
+                   .heading = "SPACE",
+                   .brief = "Space",
+                   .command = "Space: the scene from outside",
+                   .help = "The scene from outside, with the rays or triangles of the picked pixel."}),
+      pictures_(pictures), vertex_(vertex), state_(host.wake) {}
+
+void SpacePanel::offer(Values& out) {
+  out.offer("space/items", [this] { return state_.items; });
+  out.offer("space/rays", [this] { return state_.rays; });
+  out.offer("space/shadow-rays", [this] { return state_.shadow_rays; });
+  out.offer("space/boxes", [this] { return state_.boxes; });
+  out.offer("space/tree-nodes", [this] { return state_.tree ? static_cast<int>(state_.tree->nodes) : 0; });
+  out.offer("space/steps", [this] { return static_cast<int>(state_.model.steps.size()); });
+  out.offer("space/playing", [this] { return state_.play.running; });
+  out.offer("space/up-to", [this] { return drawn_until(session_, state_); });
+  out.offer("space/orbit", [this] {
+    const auto& orbit = outside(session_).orbit;
+    return orbit ? fmt::format("{:.6g} {:.6g} {:.6g}", orbit->yaw, orbit->pitch, orbit->distance) : "none";
+  });
+}
+
+void SpacePanel::update() {
+  Session& session = session_;
+  SpacePanelState& state = state_;
+  wait_unless_drawn(state.worker);
   if (!session.has_scene()) return;
+  const VertexChain* vertex = session.document().story.vertex ? vertex_.followed_chain() : nullptr;
   advance_play(session, state);
   const Side side = inspected_side(session);
   const auto story = session.story(side);
@@ -327,19 +362,17 @@ void update_space(Session& session, SpacePanelState& state, const VertexChain* v
   update_tree(session, state);
 }
 
-std::string space_drawing(const Session& session, const SpacePanelState& state) {
-  if (!state.picture || !session.has_scene()) return {};
-  return space_svg(state.model, *state.picture, look_of(session, state));
-}
-
-bool space_panel(Session& session, SpacePanelState& state, const PicturesState& pictures, bool filled) {
+bool SpacePanel::draw(const Context& context) {
+  Session& session = session_;
+  SpacePanelState& state = state_;
+  const PicturesState& pictures = pictures_;
   const NameScope scope("space");
   if (!session.has_scene()) return false;
   const Side side = inspected_side(session);
   const int event = session.selected_event(side);
   const int selected = state.shown_story ? shown_event(state.model, *state.shown_story, event) : -1;
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  bool fill_or_not = toolbar(session, state, selected, room.x / std::max(room.y, 1.f), filled);
+  bool fill_or_not = toolbar(state, host_, selected, room.x / std::max(room.y, 1.f), context.filled);
   const int width = static_cast<int>(room.x), height = static_cast<int>(ImGui::GetContentRegionAvail().y);
   const double aspect = static_cast<double>(std::max(width, 1)) / std::max(height, 1);
   if (width < 16 || height < 16) return fill_or_not;

@@ -4,7 +4,9 @@
 #include <memory>
 #include <optional>
 
+#include "gui/panels/panel.h"
 #include "gui/panels/pictures/pictures_panel.h"
+#include "gui/panels/story/vertex_panel.h"
 #include "gui/work/space_tree_worker.h"
 #include "gui/work/space_worker.h"
 #include "inspect/space_model.h"
@@ -49,22 +51,27 @@ struct SpacePanelState {
   std::optional<GizmoDrag> gizmo_drag;   ///< what the mouse has taken hold of
   bool cancelled = false;                ///< its drag was taken back; the button is still down
   int rays = 0, shadow_rays = 0, boxes = 0, items = 0;
-  std::function<void()> save;  ///< asks where to write the view; empty = it cannot be written
 };
 
-/// The scene from outside with the picked pixel's story in it. A click on an event selects it. `filled`: it has the
-/// whole window; answers whether that shall change.
-bool space_panel(Session& session, SpacePanelState& state, const PicturesState& pictures, bool filled);
+/// The scene from outside with the picked pixel's story in it. A click on an event selects it.
+class SpacePanel final : public Panel {
+ public:
+  /// It shows what the mouse can take hold of in `pictures`, and the way of the vertex that the document keeps.
+  SpacePanel(const PanelHost& host, const PicturesState& pictures, VertexPanel& vertex);
+  bool draw(const Context& context) override;
+  void add_actions(Actions& actions) override;
+  void offer(Values& out) override;
+  /// Brings the model up to date and goes on playing.
+  void update() override;
+  bool busy() const override { return works(state_.worker) || works(state_.tree_worker); }
+  bool cancel_drag() override;
 
-/// Takes back what the drag of a gizmo that goes on has changed and ends it. Answers whether one went on.
-bool cancel_space_drag(Session& session, SpacePanelState& state);
+ private:
+  const PicturesState& pictures_;
+  VertexPanel& vertex_;
+  SpacePanelState state_;
+};
 
-/// What the panel shows now as an SVG file; empty before the first picture has come.
-std::string space_drawing(const Session& session, const SpacePanelState& state);
-
-/// Brings the model up to date and goes on playing; once a frame, also while the panel is not shown. `vertex` is the
-/// way of the vertex that the document keeps, or nullptr.
-void update_space(Session& session, SpacePanelState& state, const VertexChain* vertex);
 /// The last event that is drawn; -1 = all are.
 int drawn_until(const Session& session, const SpacePanelState& state);
 /// Selects the event `by` steps on, and shows only what has happened until then.

@@ -67,4 +67,13 @@ void advance_play(Session& session, SpacePanelState& state) {
   if (play.running) redraw_after(std::max(0.0, play.next_at - now));
 }
 
+void SpacePanel::add_actions(Actions& actions) {
+  ActionGroup story(actions, "Story", [this] { return !state_.model.steps.empty(); });
+  story.add_toggle(
+      "story-play", "Play or pause the story", "Space", [this] { play_story(session_, state_); },
+      [this] { return state_.play.running; });
+  story.add_repeated("story-back", "Previous event", ",", [this] { step_story(session_, state_, -1); });
+  story.add_repeated("story-forward", "Next event", ".", [this] { step_story(session_, state_, 1); });
+}
+
 }  // namespace ps::gui

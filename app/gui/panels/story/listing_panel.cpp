@@ -161,7 +161,7 @@ bool shows_routine(const Session& session, const ListingPanelState& state) {
   return state.code == ListingPanelState::Code::routine || !has_shaders(session.settings(listed_side(session, state)));
 }
 
-/// A script looks for a control of the menu that listing_head() has.
+/// A script looks for a control of the menu that head() has.
 bool wanted_from_menu() {
   const std::string_view wanted = controls().revealing();
   return std::any_of(menu_controls.begin(), menu_controls.end(),
@@ -170,13 +170,54 @@ bool wanted_from_menu() {
 
 }  // namespace
 
-void update_listing(Session& session, ListingPanelState& state) {
-  state.worker.take_news();
-  update_shaders(session, state.shaders);
-  update_own_listing(session, state.own);
+ListingPanel::ListingPanel(const PanelHost& host, LessonShelf& shelf, LessonQuestions& questions)
+    : Panel(host, {.name = "listing",
+                   .height = PanelHeight::tall,
+                   .answers = Answers::yes,
+                   .heading = "LISTING",
+                   .brief = "Listing",
+                   .command = "Listing: a routine with its values",
+                   .help = "A lesson's routine, or the shaders, with their values at the picked pixel."}),
+      shelf_(shelf), questions_(questions), state_(host.wake) {}
+
+void ListingPanel::offer(Values& out) {
+  const auto values_of = [this] {
+    return state_.shown_story && state_.shown_story->listing ? &*state_.shown_story->listing : nullptr;
+  };
+  out.offer("listing/focus", [this] { return state_.view ? state_.view->focus() : -1; });
+  out.offer("listing/folder", [=] { return values_of() ? values_of()->listing.folder : ""; });
+  out.offer("listing/values", [=] { return values_of() ? static_cast<int>(values_of()->watches.size()) : 0; });
+  offer_shader_values(out, state_.shaders);
+  offer_own_values(out, state_.own);
 }
 
-bool listing_head(Session& session, ListingPanelState& state, const PanelHost& host) {
+/// Marks for a question about the wrong line, and the routine that a step asks for.
+void ListingPanel::follow_lesson() {
+  const bool asks_bug = questions_.asked_beside_text(session_) && questions_.question()->kind == AskKind::bug;
+  auto wrong_line = questions_.bug_verdict(session_);
+  state_.reveal |= wrong_line && !state_.marks.marked;
+  state_.marks = {asks_bug && questions_.bug_shown(session_) ? &questions_.answer.line : nullptr,
+                  std::move(wrong_line)};
+  state_.own.task = {};
+  const Lesson* lesson = shelf_.open();
+  const auto step = static_cast<std::size_t>(session_.document().step);
+  if (lesson && step < lesson->steps.size()) state_.own.task = {lesson->name, lesson->steps[step].write};
+}
+
+void ListingPanel::update() {
+  follow_lesson();
+  state_.worker.take_news();
+  update_shaders(session_, state_.shaders);
+  update_own_listing(session_, state_.own);
+}
+
+bool ListingPanel::busy() const {
+  return works(state_.worker) || shaders_busy(state_.shaders) || own_listing_busy(state_.own);
+}
+
+bool ListingPanel::head() {
+  Session& session = session_;
+  ListingPanelState& state = state_;
   const NameScope scope("listing");
   if (!shows_routine(session, state)) return false;
   const bool writes = !asked_routine(state).empty();
@@ -192,7 +233,7 @@ bool listing_head(Session& session, ListingPanelState& state, const PanelHost& h
   ImGui::SetNextWindowSizeConstraints({px(menu_width), 0}, {px(menu_width), px(menu_width)});
   if (ImGui::BeginPopup("listing-more")) {
     const Side side = listed_side(session, state);
-    routine_controls(session, state, side, host);
+    routine_controls(session, state, side, host_);
     if (!room && fill_button(false)) {
       fill = true;
       ImGui::CloseCurrentPopup();
@@ -203,7 +244,9 @@ bool listing_head(Session& session, ListingPanelState& state, const PanelHost& h
   return fill;
 }
 
-bool listing_panel(Session& session, ListingPanelState& state, const Context& context, const PanelHost& host) {
+bool ListingPanel::draw(const Context& context) {
+  Session& session = session_;
+  ListingPanelState& state = state_;
   const bool filled = context.filled;
   const NameScope scope("listing");
   if (!session.has_scene()) return false;
@@ -238,7 +281,7 @@ bool listing_panel(Session& session, ListingPanelState& state, const Context& co
   request.pixel = *pixel;
   state.worker.request(request);
   take_up(state, state.worker.story(), session.document().story.listing_instance);
-  const bool fill = !context.headed && toolbar(session, state, side, filled, host);
+  const bool fill = !context.headed && toolbar(session, state, side, filled, host_);
   if (!state.error.empty()) quiet_text(state.error);
   if (!state.view) {
     if (const auto message = state.worker.message(); !message.empty()) quiet_text(message);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "gui/panels/lesson/lesson_question.h"
 #include "gui/panels/panel.h"
 #include "gui/panels/story/listing_marks.h"
 #include "gui/panels/story/own_listing.h"
@@ -35,15 +36,26 @@ struct ListingPanelState {
   enum class Code { shaders, routine } code = Code::shaders;
 };
 
-/// Takes up the values that have come; once a frame.
-void update_listing(Session& session, ListingPanelState& state);
+/// A lesson's routine with the values that its lines had for the picked pixel, or the shaders that drew it.
+class ListingPanel final : public Panel {
+ public:
+  /// A click on a line answers a question for it; the open step may ask to write a routine.
+  ListingPanel(const PanelHost& host, LessonShelf& shelf, LessonQuestions& questions);
+  bool draw(const Context& context) override;
+  /// The panel's controls as buttons in one line, the rarer ones in a menu, so that the code has all of the height
+  /// below. Empty where shaders or one's own file are shown, which have more to choose.
+  bool head() override;
+  void offer(Values& out) override;
+  /// Takes up the values that have come.
+  void update() override;
+  bool busy() const override;
 
-/// A lesson's routine with the values that its lines had for the picked pixel, or the shaders that drew it. Answers
-/// whether it shall fill the window, or no longer.
-bool listing_panel(Session& session, ListingPanelState& state, const Context& context, const PanelHost& host);
+ private:
+  void follow_lesson();
 
-/// The panel's controls as buttons in one line, the rarer ones in a menu, so that the code has all of the height below.
-/// Empty where shaders or one's own file are shown, which have more to choose. Answers like listing_panel().
-bool listing_head(Session& session, ListingPanelState& state, const PanelHost& host);
+  LessonShelf& shelf_;
+  LessonQuestions& questions_;
+  ListingPanelState state_;
+};
 
 }  // namespace ps::gui

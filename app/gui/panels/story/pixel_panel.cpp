@@ -7,6 +7,7 @@
 
 #include "document/document_provenance.h"
 #include "engine/screen_names.h"
+#include "gui/base/region_names.h"
 #include "gui/panels/pictures/picture_text.h"
 #include "gui/panels/story/ledger_view.h"
 #include "gui/session/pixel_words.h"
@@ -231,7 +232,74 @@ Shown choose_shown(Session& session) {
 
 }  // namespace
 
-void pixel_panel(Session& session, PixelPanelState& state, const std::function<void(const std::string&)>& copy) {
+PixelPanel::PixelPanel(const PanelHost& host, LessonQuestions& questions)
+    : Panel(host, {.name = region_names::right,
+                   .place = PanelPlace::right,
+                   .heading = "STORY",
+                   .brief = "Story",
+                   .command = "Story: how the pixel got its colour",
+                   .help = "The story of the picked pixel."}),
+      predict(questions), state_(host.wake) {}
+
+void PixelPanel::add_actions(Actions& actions) {
+  const auto turn = [this] {
+    if (predict.on)
+      predict.on = false;
+    else
+      ask_about_pixels(session_, predict);
+  };
+  ActionGroup(actions, "Pixel").add_toggle("predict", "Predict: ask before the story is shown", "Q", turn, [this] {
+    return predict.on;
+  });
+}
+
+void PixelPanel::offer(Values& out) {
+  out.offer("predict/points", [this] { return predict.points; });
+  out.offer("predict/asked", [this] { return predict.asked; });
+  out.offer("predict/open", [this] { return asks(); });
+}
+
+void PixelPanel::update() {
+  update_pin(session_, state_.pin);
+  asks();
+}
+
+PictureCovers PixelPanel::covers() {
+  PictureCovers covers;
+  if (asks() && session_.pixel() && asks_about_pixel(session_, predict))
+    covers.asked = Hover{inspected_side(session_), *session_.pixel()};
+  if (predict.lesson->holds_back()) covers.hidden = predict.lesson->question()->hidden;
+  return covers;
+}
+
+bool PixelPanel::stop_asking() {
+  if (!predict.on || !asks() || !asks_about_pixel(session_, predict)) return false;
+  predict.on = false;
+  return true;
+}
+
+bool PixelPanel::draw(const Context&) {
+  if (asks()) {
+    if (session_.document().mode == ScreenMode::lesson || predict.lesson->asked_beside_text(session_))
+      ImGui::TextWrapped("The story is shown after your answer.");  // the question is beside the text
+    else
+      predict_panel(session_, predict);
+    return false;
+  }
+  prediction_verdict(session_, predict);
+  if (side_of(session_.document(), inspected_side(session_)).slow_motion) {
+    ImGui::PushTextWrapPos(0);
+    value_text("pixel/slow-motion", "Slow motion: the story is that of the finished picture.");
+    ImGui::PopTextWrapPos();
+  }
+  story();
+  return false;
+}
+
+void PixelPanel::story() {
+  Session& session = session_;
+  PixelPanelState& state = state_;
+  const auto copy = [this](const std::string& text) { host_.copy(text, "Copied to the clipboard."); };
   const NameScope scope("pixel");
   const auto picked = session.pixel();
   if (!picked) {

@@ -6,7 +6,6 @@
 #include <array>
 
 #include "gui/base/region_names.h"
-#include "gui/panels/lesson/lesson_panel.h"
 #include "gui/widgets/draw.h"
 #include "inspect/guess_text.h"
 #include "render/story/names.h"

@@ -1,16 +1,17 @@
 #pragma once
-#include <memory>
 #include <optional>
 #include <string>
 
-#include "gui/panels/story/lesson_question.h"
-#include "gui/session/session.h"
+#include "gui/panels/lesson/lesson_question.h"
 #include "inspect/predict.h"
 
 namespace ps::gui {
 
 /// Predict before reveal: the question, the answer and the score.
 struct PredictState {
+  /// `questions`: those of the open lesson; must outlive it.
+  explicit PredictState(LessonQuestions& questions) : lesson(&questions) {}
+
   bool on = false;  ///< every newly picked pixel is asked about; a lesson's step may ask all the same
   Question question = Question::colour;
   Guess guess;
@@ -21,8 +22,8 @@ struct PredictState {
   Judgement judgement;
   int asked = 0;  ///< questions answered so far
   double points = 0;
-  std::string words;                        ///< of the lesson's question about the pixel; empty = none
-  std::unique_ptr<LessonQuestions> lesson;  ///< made by the owner of the state
+  std::string words;  ///< of the lesson's question about the pixel; empty = none
+  LessonQuestions* lesson;
 };
 
 /// Whether an open question hides the story. Takes up the lesson's question, and a newly picked pixel. Questions of a

@@ -159,14 +159,14 @@ void canvas_card(const VertexChain& now, const VertexChain& plain) {
        [&] { result("canvas", now.canvas, plain.canvas); });
 }
 
-bool toolbar(Session& session, VertexPanelState& state, bool filled) {
-  const VertexId vertex = state.chain->id;
+bool toolbar(Session& session, const VertexChain& chain, bool filled) {
+  const VertexId vertex = chain.id;
   const auto& mesh_of =
       std::get<Instance>(session.scene().geometry->objects[static_cast<std::size_t>(vertex.object)].shape);
   const int count = static_cast<int>(session.scene().geometry->meshes[mesh_of.mesh]->positions.size());
   {
     const FontScope font(Face::heading);
-    value_text("name", fmt::format("vertex {} of {}", vertex.vertex, state.chain->object_name));
+    value_text("name", fmt::format("vertex {} of {}", vertex.vertex, chain.object_name));
   }
   same_line_if_room(button_width("Previous") + button_width("Next"), px(16));
   if (button("previous", "Previous")) keep(session, VertexId{vertex.object, (vertex.vertex + count - 1) % count});
@@ -198,64 +198,87 @@ bool toolbar(Session& session, VertexPanelState& state, bool filled) {
 
 }  // namespace
 
-std::optional<VertexId> followed_vertex(Session& session, VertexPanelState& state) {
-  if (!session.has_scene()) return {};
-  if (const auto& kept = session.document().story.vertex) return kept;
-  const auto pixel = session.pixel();
-  const Side side = inspected_side(session);
-  const auto story = session.story(side);
-  const Scene& scene = session.scene();
-  if (state.geometry != scene.geometry.revision()) {  // other objects may have these numbers now
-    state.geometry = scene.geometry.revision();
-    state.nearest.reset();
-    state.story.reset();
-  }
-  if (pixel && story && story->pixel == *pixel && story != state.story) {
-    state.story = story;
-    state.nearest = nearest_vertex(scene, session.view(), session.settings(side), {pixel->x + 0.5, pixel->y + 0.5},
-                                   shown_triangle(*story));
-  }
-  return state.nearest;
+VertexPanel::VertexPanel(const PanelHost& host)
+    : Panel(host, {.name = "vertex",
+                   .height = PanelHeight::tall,
+                   .heading = "VERTEX",
+                   .brief = "Vertex",
+                   .command = "Vertex: from the model to the canvas",
+                   .help = "The transforms of a vertex from its model to the canvas, with matrices and numbers."}) {}
+
+void VertexPanel::add_actions(Actions& actions) {
+  ActionGroup(actions, "Study", [this] {
+    return session_.has_scene();
+  }).add("vertex-film", "Vertex: play its way from the model to the canvas", "", [this] {
+    host_.send(ShowTool{facts.name});
+    play_film(film_);
+  });
 }
 
-const VertexChain* followed_chain(Session& session, VertexPanelState& state) {
-  const auto vertex = followed_vertex(session, state);
-  state.chain.reset();
-  state.error.clear();
+void VertexPanel::offer(Values& out) {
+  out.offer("vertex", [this] {
+    const auto vertex = followed_vertex();
+    return vertex ? fmt::format("{},{}", vertex->object, vertex->vertex) : "none";
+  });
+}
+
+std::optional<VertexId> VertexPanel::followed_vertex() {
+  if (!session_.has_scene()) return {};
+  if (const auto& kept = session_.document().story.vertex) return kept;
+  const auto pixel = session_.pixel();
+  const Side side = inspected_side(session_);
+  const auto story = session_.story(side);
+  const Scene& scene = session_.scene();
+  if (geometry_ != scene.geometry.revision()) {  // other objects may have these numbers now
+    geometry_ = scene.geometry.revision();
+    nearest_.reset();
+    story_.reset();
+  }
+  if (pixel && story && story->pixel == *pixel && story != story_) {
+    story_ = story;
+    nearest_ = nearest_vertex(scene, session_.view(), session_.settings(side), {pixel->x + 0.5, pixel->y + 0.5},
+                              shown_triangle(*story));
+  }
+  return nearest_;
+}
+
+const VertexChain* VertexPanel::followed_chain() {
+  const auto vertex = followed_vertex();
+  chain_.reset();
+  error_.clear();
   if (!vertex) return nullptr;
-  const Settings& settings = session.settings(inspected_side(session));
+  const Settings& settings = session_.settings(inspected_side(session_));
   try {
-    state.chain =
-        vertex_chain(session.scene(), session.view(), settings, *vertex, session.document().story.vertex_edits);
-    state.plain = vertex_chain(session.scene(), session.view(), settings, *vertex);
+    chain_ = vertex_chain(session_.scene(), session_.view(), settings, *vertex, session_.document().story.vertex_edits);
+    plain_ = vertex_chain(session_.scene(), session_.view(), settings, *vertex);
   } catch (const InputError& error) {
-    state.error = error.what();
+    error_ = error.what();
   }
-  return state.chain ? &*state.chain : nullptr;
+  return chain_ ? &*chain_ : nullptr;
 }
 
-bool vertex_panel(Session& session, VertexPanelState& state, bool filled) {
+bool VertexPanel::draw(const Context& context) {
   const NameScope scope("vertex");
-  if (!followed_chain(session, state)) {
-    quiet_text(!state.error.empty() ? state.error
-               : session.pixel() && session.has_scene()
+  if (!followed_chain()) {
+    quiet_text(!error_.empty() ? error_
+               : session_.pixel() && session_.has_scene()
                    ? "This scene has no models, so there are no vertices to follow."
                    : "Click a pixel to follow the nearest vertex of its triangle.");
     return false;
   }
-  const VertexChain now = *state.chain, plain = *state.plain;
-  const bool fill = toolbar(session, state, filled);
-  if (renderer_row(session.settings(inspected_side(session)).renderer).by_driver)
+  const VertexChain now = *chain_, plain = *plain_;
+  const bool fill = toolbar(session_, now, context.filled);
+  if (renderer_row(session_.settings(inspected_side(session_)).renderer).by_driver)
     quiet_text("Computed by this program in double precision. The graphics driver does not report its own positions, "
                "which may differ in the last digits.");
   ImGui::Spacing();
   ImGui::BeginChild("chain");
   card(0, "Film", "Its model on the way from space to space.",
-       [&] { vertex_film(session, state.film, now.id, px(card_width)); });
+       [&] { vertex_film(session_, film_, now.id, px(card_width)); });
   model_card(now, plain);
-  world_card(session, now, plain);
+  world_card(session_, now, plain);
   camera_card(now, plain);
-  clip_card(session, now, plain);
+  clip_card(session_, now, plain);
   viewport_card(now, plain);
   canvas_card(now, plain);
   ImGui::EndChild();

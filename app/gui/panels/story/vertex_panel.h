@@ -2,30 +2,34 @@
 #include <memory>
 #include <optional>
 
+#include "gui/panels/panel.h"
 #include "gui/panels/story/vertex_film.h"
-#include "gui/session/session.h"
 #include "inspect/vertex_chain.h"
 
 namespace ps::gui {
 
-/// State of the panel of the vertex.
-struct VertexPanelState {
-  std::optional<VertexId> nearest;          ///< the one next to the picked pixel
-  std::shared_ptr<const PixelStory> story;  ///< that `nearest` was found from
-  std::optional<std::uint64_t> geometry;    ///< its revision then
-  std::optional<VertexChain> chain;         ///< of the vertex that is followed, with the document's edits
-  std::optional<VertexChain> plain;         ///< without them
-  std::string error;
-  VertexFilm film;
+/// The way of a vertex from its model to the canvas, step by step, with matrices and numbers.
+class VertexPanel final : public Panel {
+ public:
+  explicit VertexPanel(const PanelHost& host);
+  bool draw(const Context& context) override;
+  void add_actions(Actions& actions) override;
+  void offer(Values& out) override;
+
+  /// The way of the vertex that is followed, with what is tried out; nullptr where there is none.
+  const VertexChain* followed_chain();
+
+ private:
+  /// The vertex that is followed: the one that the document keeps, else the one next to the picked pixel.
+  std::optional<VertexId> followed_vertex();
+
+  std::optional<VertexId> nearest_;          ///< the one next to the picked pixel
+  std::shared_ptr<const PixelStory> story_;  ///< that `nearest_` was found from
+  std::optional<std::uint64_t> geometry_;    ///< its revision then
+  std::optional<VertexChain> chain_;         ///< of the vertex that is followed, with the document's edits
+  std::optional<VertexChain> plain_;         ///< without them
+  std::string error_;
+  VertexFilm film_;
 };
-
-/// The vertex that is followed: the one that the document keeps, else the one next to the picked pixel.
-std::optional<VertexId> followed_vertex(Session& session, VertexPanelState& state);
-/// Its way from the model to the canvas, with what is tried out; nullptr where there is none.
-const VertexChain* followed_chain(Session& session, VertexPanelState& state);
-
-/// The way of the vertex from its model to the canvas, step by step, with matrices and numbers. `filled`: it has the
-/// whole window; answers whether that shall change.
-bool vertex_panel(Session& session, VertexPanelState& state, bool filled);
 
 }  // namespace ps::gui

@@ -62,7 +62,7 @@ bool equal_options(const Session& session) { return session.settings(Side::a) ==
 
 }  // namespace
 
-CausesTab::CausesTab(const std::function<void()>& wake) : Study(wake, causes_words) {}
+CausesTab::CausesTab(const PanelHost& host) : Study(host, {}, causes_words) {}
 
 void CausesTab::measure(Session& session) {
   CauseRequest request;

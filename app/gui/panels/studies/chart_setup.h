@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "gui/session/session.h"
+#include "gui/panels/panel.h"
 #include "study/chart.h"
 
 namespace ps::gui {
@@ -48,8 +48,7 @@ ChartRequest make_request(const ChartPlan& plan, const ChartSetup& setup, ErrorM
 /// The command that measures the same without a window.
 std::string command_of(const ChartPlan& plan, const ChartSetup& setup, ErrorMetric metric, const Session& session);
 
-/// The controls for all of it but the named sweeps. `browse` asks for a reference picture.
-void chart_setup_controls(ChartSetup& setup, const ChartPlan& plan, const Session& session,
-                          const std::function<void()>& browse);
+/// The controls for all of it but the named sweeps.
+void chart_setup_controls(ChartSetup& setup, const ChartPlan& plan, const Session& session, const PanelHost& host);
 
 }  // namespace ps::gui

@@ -148,7 +148,7 @@ void machinery(ChartSetup& setup) {
   if (choice("machinery", rules, index)) setup.machinery = index == 0 ? MachineryRule::same : MachineryRule::as_used;
 }
 
-void reference(ChartSetup& setup, const std::function<void()>& browse) {
+void reference(ChartSetup& setup, const PanelHost& host) {
   static constexpr std::array samples{
       Choice{"auto", "auto", "As the swept options ask: the points' own samples, or the mean over each pixel."},
       Choice{"1", "1", "The points' own samples."},
@@ -172,13 +172,16 @@ void reference(ChartSetup& setup, const std::function<void()>& browse) {
   }
   if (button("browse", "Another picture...", Emphasis::plain,
              {.tooltip = "Compares with a picture file of the same size, such as another program's."}))
-    browse();
+    host.ask_file({.title = "Compare with a picture",
+                   .use = FileUse::open,
+                   .extensions = {".png", ".ppm", ".pfm"},
+                   .hint = "picture.png",
+                   .answer = [&setup](const FileAnswer& file) { setup.reference_file = file.path.string(); }});
 }
 
 }  // namespace
 
-void chart_setup_controls(ChartSetup& setup, const ChartPlan& plan, const Session& session,
-                          const std::function<void()>& browse) {
+void chart_setup_controls(ChartSetup& setup, const ChartPlan& plan, const Session& session, const PanelHost& host) {
   const NameScope scope("setup");
   heading("What is swept");
   swept_options(setup);
@@ -196,7 +199,7 @@ void chart_setup_controls(ChartSetup& setup, const ChartPlan& plan, const Sessio
   comparison(setup, session);
   heading("Truth");
   quiet_text(settings_in_words(plan.truth));
-  reference(setup, browse);
+  reference(setup, host);
   heading("Timed on");
   machinery(setup);
   heading("Timed runs of each point");

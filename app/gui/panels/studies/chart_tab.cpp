@@ -9,10 +9,12 @@
 
 #include "base/atomic_file.h"
 #include "base/check.h"
+#include "base/kept_inputs.h"
 #include "gui/panels/studies/chart_hover.h"
 #include "gui/panels/studies/chart_invitation.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
+#include "scene/load.h"
 #include "study/chart_conclusion.h"
 #include "study/chart_files.h"
 #include "study/chart_style.h"
@@ -65,8 +67,16 @@ bool any_measured(const Chart& chart) {
 
 }  // namespace
 
-ChartTab::ChartTab(const std::function<void()>& wake, const StudyFolder& results)
-    : EstimatedStudy(wake, chart_words), results_(results) {}
+ChartTab::ChartTab(const PanelHost& host, const StudyFolder& results)
+    : EstimatedStudy(host,
+                     study_facts({.name = "chart",
+                                  .group = ToolGroup::measure,
+                                  .heading = "CHART",
+                                  .brief = "Chart",
+                                  .command = "Chart: time against error",
+                                  .help = "Time against error over a sweep of options."}),
+                     chart_words),
+      results_(results) {}
 
 /// The first sweep is the one whose points the most people ask for: who draws it, and how well.
 void ChartTab::begin() {
@@ -115,7 +125,7 @@ void ChartTab::setup_popup(Session& session) {
   ImGui::SetNextWindowPos({left, window.y - margin}, ImGuiCond_Always, {0, 1});
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, window.y - 2 * margin});
   if (!ImGui::BeginPopup("chart-setup")) return;
-  chart_setup_controls(setup, plan, session, host.browse_reference);
+  chart_setup_controls(setup, plan, session, host_);
   ImGui::EndPopup();
 }
 
@@ -161,8 +171,9 @@ void ChartTab::export_menu(const Session& session) {
   for (const auto& [name, label, file] :
        {std::array{"csv", "Table (CSV)", "chart.csv"}, std::array{"json", "Everything (JSON)", "chart.json"},
         std::array{"svg", "Picture (SVG)", "chart.svg"}})
-    if (menu_item(name, label, {}, false, chart.points.empty() ? "nothing is measured yet" : "")) host.ask_export(file);
-  if (menu_item("command", "Copy as a command")) host.copy(command_of(plan, setup, metric, session));
+    if (menu_item(name, label, {}, false, chart.points.empty() ? "nothing is measured yet" : "")) ask_export(file);
+  if (menu_item("command", "Copy as a command"))
+    host_.copy(command_of(plan, setup, metric, session), "The command is on the clipboard.");
   ImGui::EndPopup();
 }
 
@@ -244,10 +255,12 @@ void ChartTab::draw_result(Session& session) {
   load_on_click(session, clicked);
 }
 
-void ChartTab::sweep_option(const Option& option, Side side) {
+void ChartTab::take(const PanelMessage& message) {
+  const auto* asked = std::get_if<SweepOption>(&message);
+  if (!asked) return;
   begun_ = true;
-  setup.side = side;
-  set_axes(setup, {{&option, standard_values(option)}});
+  setup.side = asked->side;
+  set_axes(setup, {{asked->option, standard_values(*asked->option)}});
 }
 
 void ChartTab::measure(Session& session) {
@@ -266,6 +279,22 @@ void ChartTab::measure(Session& session) {
   if (shown) return;
   chart = {};
   conclusion_.clear();
+}
+
+void ChartTab::ask_export(const std::string& suggestion) {
+  host_.ask_file({.title = "Save the chart",
+                  .extensions = {".csv", ".json", ".svg"},
+                  .hint = "chart.svg",
+                  .suggestion = suggestion,
+                  .answer = [this](const FileAnswer& file) {
+                    try {
+                      require_no_input(file.path, files_of(session_.document().base));
+                      write(file.path);
+                      session_.say(Message::Kind::information, fmt::format("Saved {}.", file.path.string()));
+                    } catch (const InputError& error) {
+                      session_.say(Message::Kind::error, error.what());
+                    }
+                  }});
 }
 
 void ChartTab::write(const std::filesystem::path& path) const {

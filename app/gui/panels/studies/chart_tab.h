@@ -34,19 +34,11 @@ struct ChartPreview {
   double gain = 1;  ///< of the difference
 };
 
-/// What the chart asks of the window around it.
-struct ChartHost {
-  std::function<void()> browse_reference;                         ///< ask for a picture file
-  std::function<void(const std::string& suggestion)> ask_export;  ///< ask where to write
-  std::function<void(const std::string& text)> copy;              ///< put text on the clipboard
-};
-
 /// Time or work against error over a sweep.
 struct ChartTab : EstimatedStudy<ChartFound> {
   /// `results`: where they are kept from one start to the next; must outlive the tab.
-  ChartTab(const std::function<void()>& wake, const StudyFolder& results);
+  ChartTab(const PanelHost& host, const StudyFolder& results);
 
-  ChartHost host;
   ChartSetup setup;
   ChartPlan plan;
   ErrorMetric metric = ErrorMetric::rmse;
@@ -54,12 +46,9 @@ struct ChartTab : EstimatedStudy<ChartFound> {
   Chart chart;  ///< what was found, in the metric and along the axis that are chosen
   ChartPreview preview;
 
-  /// Sweeps one option alone, as its context menu asks.
-  void sweep_option(const Option& option, Side side);
-  /// Writes the chart as the extension asks: .csv, .json or .svg. Throws InputError.
-  void write(const std::filesystem::path& path) const;
-
   void measure(Session& session) override;
+  void take(const PanelMessage& message) override;
+  bool measures_times() const override { return measuring(); }
 
  protected:
   void follow(Session& session) override;
@@ -82,6 +71,9 @@ struct ChartTab : EstimatedStudy<ChartFound> {
   void setup_popup(Session& session);
   void metric_choice(float width);
   void across_choice(float width);
+  void ask_export(const std::string& suggestion);
+  /// Writes the chart as the extension asks: .csv, .json or .svg. Throws InputError.
+  void write(const std::filesystem::path& path) const;
   void export_menu(const Session& session);
   void load_on_click(Session& session, bool clicked);
 

@@ -51,7 +51,16 @@ void needs_in_words(const std::string& text) {
 
 }  // namespace
 
-NeedsTab::NeedsTab(const std::function<void()>& wake) : EstimatedStudy(wake, needs_words) {}
+NeedsTab::NeedsTab(const PanelHost& host)
+    : EstimatedStudy(
+          host,
+          study_facts({.name = "needs",
+                       .group = ToolGroup::measure,
+                       .heading = "NEEDS",
+                       .brief = "Needs",
+                       .command = "Needs: what the scene can do without",
+                       .help = "The features that this scene needs, and the cheapest settings within a tolerance."}),
+          needs_words) {}
 
 void NeedsTab::measure(Session& session) {
   NeedsRequest request = request_for(session, side_);

@@ -7,8 +7,9 @@ namespace ps::gui {
 
 /// Each feature's share of picture and cost, and the cheapest settings within a tolerance.
 struct NeedsTab : EstimatedStudy<Needs, NeedsEstimate> {
-  explicit NeedsTab(const std::function<void()>& wake);
+  explicit NeedsTab(const PanelHost& host);
   void measure(Session& session) override;
+  bool measures_times() const override { return measuring(); }
 
  protected:
   void choices(Session& session) override;

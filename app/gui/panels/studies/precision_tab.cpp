@@ -127,7 +127,7 @@ std::string pixel_text(const PrecisionMap& map, Vec2i pixel) {
 
 }  // namespace
 
-PrecisionTab::PrecisionTab(const std::function<void()>& wake) : Study(wake, precision_words) {}
+PrecisionTab::PrecisionTab(const PanelHost& host) : Study(host, {}, precision_words) {}
 
 void PrecisionTab::measure(Session& session) {
   start([side = side_, name = session.document().scene_name, scene = session.scene(), view = session.view(),

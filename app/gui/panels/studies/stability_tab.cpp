@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "gui/widgets/key_focus.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -21,10 +22,25 @@ constexpr StudyWords stability_words{.name = "stability",
 
 }  // namespace
 
-StabilityTab::StabilityTab(const std::function<void()>& wake, std::filesystem::path results,
-                           std::filesystem::path scenes)
-    : Study(wake, stability_words), results_(std::move(results)), scenes_(std::move(scenes)), strip_(wake),
-      opening_(wake) {}
+StabilityTab::StabilityTab(const PanelHost& host, const StudyFolder& folder)
+    : Study(host,
+            study_facts({.name = "stability",
+                         .group = ToolGroup::stability,
+                         .heading = "STABILITY",
+                         .brief = "Stable",
+                         .command = "Stability: where methods fail",
+                         .help = "Where methods fail: naive beside robust."}),
+            stability_words),
+      results_(folder.of("stability")), scenes_(folder.scenes()), strip_(host.wake), opening_(host.wake) {}
+
+void StabilityTab::add_actions(Actions& actions) {
+  ActionGroup(actions, "Study", [this] {
+    return session_.has_scene();
+  }).add("film-frame", "Stability: go through the frames of the film strip", "", [this] {
+    host_.send(ShowTool{facts.name});
+    key_focus().go_to("stability/scrub");
+  });
+}
 
 const StabilityExperiment& StabilityTab::selected() const {
   for (const StabilityExperiment& experiment : stability_experiments())
@@ -83,6 +99,10 @@ void StabilityTab::select(const StabilityExperiment& experiment) {
   if (!complete(experiment.key) && !is_awaited()) begin({std::string(experiment.key)}, StabilityRequest::Kept::take);
 }
 
+void StabilityTab::take(const PanelMessage& message) {
+  if (const auto* asked = std::get_if<ShowExperiment>(&message)) show(asked->key);
+}
+
 void StabilityTab::show(const std::string& key) {
   look_into_folder();
   select(find_stability_experiment(key));
@@ -129,8 +149,8 @@ std::string StabilityTab::about(const Session&) const {
 
 bool StabilityTab::busy() const { return Study::busy() || opening_.running() || strip_.study.running(); }
 
-std::string StabilityTab::activity() const {
-  return !measuring() && opening_.running() ? "Stability: opening a point" : Study::activity();
+std::string StabilityTab::status() const {
+  return !measuring() && opening_.running() ? "Stability: opening a point" : Study::status();
 }
 
 void StabilityTab::take_up(Session& session) {

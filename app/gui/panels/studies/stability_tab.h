@@ -12,6 +12,7 @@
 #include "gui/panels/studies/stability_opening.h"
 #include "gui/panels/studies/step_work.h"
 #include "gui/panels/studies/study.h"
+#include "gui/panels/studies/study_folder.h"
 #include "study/stability/figures.h"
 #include "study/stability_study.h"
 
@@ -25,19 +26,15 @@ struct StabilityFound {
 
 /// The laboratory: experiments where methods fail, naive beside robust.
 struct StabilityTab : Study<StabilityFound> {
-  /// Results are kept in `results` as they arrive; scenes of points that are opened are written into `scenes`.
-  StabilityTab(const std::function<void()>& wake, std::filesystem::path results, std::filesystem::path scenes);
+  /// Results are kept in `folder` as they arrive, and scenes of points that are opened.
+  StabilityTab(const PanelHost& host, const StudyFolder& folder);
 
-  /// Shows the chart of an option, as its menu asks.
-  std::function<void(const Option&, Side)> sweep;
-
-  /// Shows an experiment by its key, and measures it unless that was done. Throws InputError.
-  void show(const std::string& key);
-
+  void add_actions(Actions& actions) override;
+  void take(const PanelMessage& message) override;
   /// Measures the experiment that is shown again, or goes on with what is left.
   void measure(Session& session) override;
   bool busy() const override;
-  std::string activity() const override;
+  std::string status() const override;
 
  protected:
   bool has_subject(const Session&) const override { return true; }
@@ -55,6 +52,8 @@ struct StabilityTab : Study<StabilityFound> {
  private:
   using Figures = std::vector<ExperimentFigure>;
 
+  /// Shows an experiment by its key, and measures it unless that was done. Throws InputError.
+  void show(const std::string& key);
   const StabilityExperiment& selected() const;
   const MeasuredExperiment* result_of(std::string_view key) const;
   bool complete(std::string_view key) const;

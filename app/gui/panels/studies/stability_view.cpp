@@ -234,7 +234,10 @@ void StabilityTab::option_switch(Session& session, const StabilityExperiment& ex
   const auto results = option_pair(*option, settings, session.traits(), {.picked = session.document().picked});
   for (const Side side : both_sides) {
     const OptionRowResult& result = results[index_of(side)];
-    if (result.request == OptionRequest::sweep && sweep) sweep(*option, side);
+    if (result.request == OptionRequest::sweep) {
+      host_.send(SweepOption{option, side});
+      host_.send(ShowTool{"chart", ShowTool::Room::as_there_is});
+    }
     take_row_result(session, side, *option, settings[index_of(side)], result);
   }
 }

@@ -88,11 +88,11 @@ void side_choice(Side& side, std::string_view help_a, std::string_view help_b) {
 
 bool StudyFrame::busy() const { return measuring() || (estimate_ && estimate_->running()); }
 
-std::string StudyFrame::activity() const {
+std::string StudyFrame::status() const {
   return measuring() ? fmt::format("{}: {}", words_.title, progress_text(work_, words_)) : "";
 }
 
-void StudyFrame::offer(Values& out) const {
+void StudyFrame::offer(Values& out) {
   const std::string name(words_.name);
   out.offer(name + "/running", [this] { return work_.running(); });
   out.offer(name + "/paused", [this] { return work_.state() == StudyState::paused; });
@@ -100,11 +100,11 @@ void StudyFrame::offer(Values& out) const {
   offer_found(out);
 }
 
-void StudyFrame::update(Session& session) {
-  work_.set_held(session.work().rendering());
-  if (estimate_) estimate_->set_held(session.work().rendering());
+void StudyFrame::update() {
+  work_.set_held(session_.work().rendering());
+  if (estimate_) estimate_->set_held(session_.work().rendering());
   if (!seen_.lately()) drop_estimate();
-  take_up(session);
+  take_up(session_);
 }
 
 bool StudyFrame::estimate_lacks(const std::string& key) {
@@ -183,15 +183,26 @@ void StudyFrame::status_line(const Session& session) const {
   list.AddRectFilled({at.x, y}, {end, y + px(2)}, colour_u32(palette().text_quiet));
 }
 
-bool StudyFrame::draw(Session& session, bool filled) {
-  if (!has_subject(session)) return false;
+PanelFacts study_facts(PanelFacts of) {
+  of.use = PanelUse::study;
+  of.height = PanelHeight::tall;
+  return of;
+}
+
+bool StudyFrame::draw(const Context& context) {
+  const NameScope scope(facts.name);
+  return draw_part(context.filled);
+}
+
+bool StudyFrame::draw_part(bool filled) {
+  if (!has_subject(session_)) return false;
   seen_.now();
-  follow(session);
-  const bool fill = toolbar(session, filled);
-  status_line(session);
+  follow(session_);
+  const bool fill = toolbar(session_, filled);
+  status_line(session_);
   // Where the lines above leave too little, the panel is scrolled.
   ImGui::BeginChild("result", {0, std::max(ImGui::GetContentRegionAvail().y, px(least_result))});
-  draw_result(session);
+  draw_result(session_);
   ImGui::EndChild();
   return fill;
 }

@@ -6,8 +6,7 @@
 #include <utility>
 
 #include "gui/base/seen.h"
-#include "gui/base/values.h"
-#include "gui/session/session.h"
+#include "gui/panels/panel.h"
 #include "gui/work/background_study.h"
 #include "study/estimate.h"
 
@@ -24,33 +23,34 @@ struct StudyWords {
   std::string_view kept{};          ///< what remains when it is stopped, a clause for a sentence's end; may be empty
 };
 
+/// The facts of a study's tool. A study needs height, and looks at all of the pictures.
+PanelFacts study_facts(PanelFacts of);
+
 /// A long measurement: its buttons, its line of status, its estimate, and the background work. A new study derives from
 /// Study (below) and says how it is measured and drawn; all else is the same for all.
-class StudyFrame {
+class StudyFrame : public Panel {
  public:
-  virtual ~StudyFrame() = default;
-  StudyFrame(const StudyFrame&) = delete;
-  StudyFrame& operator=(const StudyFrame&) = delete;
-
-  /// Buttons, status and result. `filled`: it has the whole window; answers whether that shall change.
-  bool draw(Session& session, bool filled);
-  /// Once a frame, drawn or not: takes up what has been found, lets the pictures' own renders pass, and stops an
-  /// estimate that is not seen, which would take the processors from what is.
-  void update(Session& session);
-  /// It measures times or pictures now: neither paused nor over.
+  /// Buttons, status and result.
+  bool draw(const Context& context) override;
+  /// The same in a panel that shows several studies.
+  bool draw_part(bool filled);
+  /// Takes up what has been found, lets the pictures' own renders pass, and stops an estimate that is not seen, which
+  /// would take the processors from what is.
+  void update() override;
+  /// It measures now: neither paused nor over.
   bool measuring() const { return work_.state() == StudyState::running; }
-  virtual bool busy() const;
-  /// What it is doing, for the line at the window's lower edge; empty if it is not measuring.
-  virtual std::string activity() const;
+  bool busy() const override;
+  std::string status() const override;
   /// NAME/running, NAME/paused, NAME/estimating and what the study itself has for scripts.
-  void offer(Values& out) const;
+  void offer(Values& out) override;
 
   /// Begins, or goes on with, the measurement of what is shown now.
   virtual void measure(Session& session) = 0;
 
  protected:
-  StudyFrame(const StudyWords& words, BackgroundWork& work, BackgroundWork* estimate = nullptr)
-      : words_(words), work_(work), estimate_(estimate) {}
+  StudyFrame(const PanelHost& host, const PanelFacts& of, const StudyWords& words, BackgroundWork& work,
+             BackgroundWork* estimate = nullptr)
+      : Panel(host, of), words_(words), work_(work), estimate_(estimate) {}
 
   /// Whether there is anything to measure; without, nothing is drawn.
   virtual bool has_subject(const Session& session) const { return session.has_scene(); }
@@ -101,8 +101,8 @@ class Study : public StudyFrame {
   std::shared_ptr<const Found> found;  ///< the newest; nullptr until there is anything
 
  protected:
-  Study(const std::function<void()>& wake, const StudyWords& words, BackgroundWork* estimate = nullptr)
-      : StudyFrame(words, work, estimate), work(wake) {}
+  Study(const PanelHost& host, const PanelFacts& of, const StudyWords& words, BackgroundWork* estimate = nullptr)
+      : StudyFrame(host, of, words, work, estimate), work(host.wake) {}
 
   /// Says how far the measurement is, and hands over what there is so far, if anything is.
   using Report = std::function<void(const StudyStatus&, std::shared_ptr<const Found>)>;
@@ -144,8 +144,8 @@ class Study : public StudyFrame {
 template <class Found, class Estimate = StudyEstimate>
 class EstimatedStudy : public Study<Found> {
  protected:
-  EstimatedStudy(const std::function<void()>& wake, const StudyWords& words)
-      : Study<Found>(wake, words, &estimate), estimate(wake) {}
+  EstimatedStudy(const PanelHost& host, const PanelFacts& of, const StudyWords& words)
+      : Study<Found>(host, of, words, &estimate), estimate(host.wake) {}
 
   /// Answers the estimate for one request; renders small pictures for it.
   template <class Request>

@@ -192,7 +192,15 @@ void counters(const Results& results) {
 
 }  // namespace
 
-TimingsTab::TimingsTab(const std::function<void()>& wake) : Study(wake, timings_words) {}
+TimingsTab::TimingsTab(const PanelHost& host)
+    : Study(host,
+            study_facts({.name = "timings",
+                         .group = ToolGroup::measure,
+                         .heading = "TIMINGS",
+                         .brief = "Times",
+                         .command = "Timings: times and counts",
+                         .help = "Times of the stages and counts of the work, A beside B."}),
+            timings_words) {}
 
 void TimingsTab::measure(Session& session) {
   const Results results = results_of(session);

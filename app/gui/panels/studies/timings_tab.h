@@ -17,8 +17,9 @@ struct FoundTiming {
 /// Stage times and counters of A and B side by side. Times of both by turns on a button, with their ratio; before,
 /// those of the single runs.
 struct TimingsTab : Study<FoundTiming> {
-  explicit TimingsTab(const std::function<void()>& wake);
+  explicit TimingsTab(const PanelHost& host);
   void measure(Session& session) override;
+  bool measures_times() const override { return measuring(); }
 
  protected:
   void draw_result(Session& session) override;

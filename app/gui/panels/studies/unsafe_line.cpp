@@ -79,6 +79,11 @@ void make_safe(Session& session, Side side, const UnsafeSetting& unsafe) {
   });
 }
 
+float small_width(const std::string& text) {
+  const FontScope font(Face::small);
+  return text_width(text);
+}
+
 /// Answers the experiment that is asked for.
 std::optional<std::string> details(Session& session, const UnsafeSide& state, Side side) {
   std::optional<std::string> wanted;
@@ -100,10 +105,11 @@ std::optional<std::string> details(Session& session, const UnsafeSide& state, Si
 
 }  // namespace
 
-void update_unsafe(Session& session, UnsafeState& state) {
+void UnsafeLines::update() {
+  Session& session = session_;
   if (!session.has_scene()) return;
   for (const Side side : both_sides) {
-    UnsafeSide& one = state.sides[index_of(side)];
+    UnsafeSide& one = sides_[index_of(side)];
     const Settings& settings = session.settings(side);
     const auto render = session.renderer(side).status().state;
     const bool busy = render == RenderState::coarse || render == RenderState::full;
@@ -118,21 +124,12 @@ void update_unsafe(Session& session, UnsafeState& state) {
   }
 }
 
-namespace {
-
-float small_width(const std::string& text) {
-  const FontScope font(Face::small);
-  return text_width(text);
-}
-
-}  // namespace
-
-std::optional<std::string> unsafe_lines(Session& session, UnsafeState& state, const PicturesState& pictures) {
+bool UnsafeLines::draw(const Context&) {
   std::optional<std::string> wanted;
   for (const Side side : both_sides) {
-    const UnsafeSide& one = state.sides[index_of(side)];
+    const UnsafeSide& one = sides_[index_of(side)];
     const UnsafeSetting* unsafe = worst(one);
-    const auto& area = pictures.notes[index_of(side)];
+    const auto& area = pictures_.drawn.notes[index_of(side)];
     if (!unsafe || !area || area->width() < px(120)) continue;
     const NameScope scope(side == Side::a ? "unsafe/a" : "unsafe/b");
     const float around = px(26), room = area->width() - around;
@@ -160,18 +157,22 @@ std::optional<std::string> unsafe_lines(Session& session, UnsafeState& state, co
     controls().record("line", text);
     tooltip(line_text(*unsafe) + "\nClick for details.");
     if (ImGui::BeginPopup("details")) {
-      if (auto asked = details(session, one, side)) wanted = std::move(asked);
+      if (auto asked = details(session_, one, side)) wanted = std::move(asked);
       ImGui::EndPopup();
     }
     ImGui::End();
   }
-  return wanted;
+  if (wanted) {
+    host_.send(ShowExperiment{*wanted});
+    host_.send(ShowTool{"stability"});
+  }
+  return false;
 }
 
-void offer_unsafe_values(Values& out, const UnsafeState& state) {
+void UnsafeLines::offer(Values& out) {
   for (const Side side : both_sides) {
     const std::string name = side == Side::a ? "unsafe/a/" : "unsafe/b/";
-    const auto worst_now = [&state, side] { return worst(state.sides[index_of(side)]); };
+    const auto worst_now = [this, side] { return worst(sides_[index_of(side)]); };
     out.offer(name + "option", [=] { return worst_now() ? std::string_view(worst_now()->option) : ""; });
     out.offer(name + "percent", [=] { return worst_now() ? worst_now()->bad_percent : 0.0; });
   }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "gui/base/values.h"
+#include "gui/panels/panel.h"
 #include "gui/panels/pictures/pictures_panel.h"
 #include "gui/work/background_study.h"
 #include "study/unsafe_settings.h"
@@ -27,18 +27,22 @@ struct UnsafeSide {
   UnsafeStudy study;
 };
 
-/// Watches the settings of both sides.
-struct UnsafeState {
-  explicit UnsafeState(const std::function<void()>& wake) : sides{UnsafeSide(wake), UnsafeSide(wake)} {}
-  std::array<UnsafeSide, 2> sides;
-};
+/// Watches the settings of both sides: one calm line below a picture whose settings fail somewhere in it, which leads
+/// to the experiment that explains why.
+class UnsafeLines final : public Panel {
+ public:
+  UnsafeLines(const PanelHost& host, const PicturesState& pictures)
+      : Panel(host, {.name = "unsafe", .place = PanelPlace::over}),
+        pictures_(pictures), sides_{UnsafeSide(host.wake), UnsafeSide(host.wake)} {}
+  bool draw(const Context& context) override;
+  void offer(Values& out) override;
+  /// Asks anew where settings, scene or view have changed.
+  void update() override;
+  bool busy() const override { return sides_[0].study.running() || sides_[1].study.running(); }
 
-/// Once per frame: asks anew where settings, scene or view have changed.
-void update_unsafe(Session& session, UnsafeState& state);
-/// One calm line below a picture whose settings fail somewhere in it. Returns the experiment that explains why, when
-/// the user asks for it.
-std::optional<std::string> unsafe_lines(Session& session, UnsafeState& state, const PicturesState& pictures);
-/// What scripts may ask for. The state must outlive the offers.
-void offer_unsafe_values(Values& out, const UnsafeState& state);
+ private:
+  const PicturesState& pictures_;
+  std::array<UnsafeSide, 2> sides_;
+};
 
 }  // namespace ps::gui

@@ -10,7 +10,7 @@ namespace ps::gui {
 
 /// Which option is to blame for how much of the difference between A and B.
 struct CausesTab : Study<DifferenceByCause> {
-  explicit CausesTab(const std::function<void()>& wake);
+  explicit CausesTab(const PanelHost& host);
   void measure(Session& session) override;
 
  protected:
@@ -33,7 +33,7 @@ struct PrecisionFound {
 
 /// What float gets wrong in a picture.
 struct PrecisionTab : Study<PrecisionFound> {
-  explicit PrecisionTab(const std::function<void()>& wake);
+  explicit PrecisionTab(const PanelHost& host);
   void measure(Session& session) override;
 
  protected:
@@ -49,15 +49,18 @@ struct PrecisionTab : Study<PrecisionFound> {
 };
 
 /// Both, one of them shown.
-struct WhyTab {
-  explicit WhyTab(const std::function<void()>& wake) : causes(wake), precision(wake) {}
-  /// As StudyFrame::draw.
-  bool draw(Session& session, bool filled);
-
-  CausesTab causes;
-  PrecisionTab precision;
+class WhyTab final : public Panel {
+ public:
+  explicit WhyTab(const PanelHost& host);
+  bool draw(const Context& context) override;
+  void offer(Values& out) override;
+  void update() override;
+  bool busy() const override { return causes_.busy() || precision_.busy(); }
+  std::string status() const override;
 
  private:
+  CausesTab causes_;
+  PrecisionTab precision_;
   enum class Shown { causes, precision } shown_ = Shown::causes;
 };
 

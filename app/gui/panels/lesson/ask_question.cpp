@@ -2,7 +2,7 @@
 
 #include "base/number_text.h"
 #include "gui/input/key_hint.h"
-#include "gui/panels/story/lesson_question.h"
+#include "gui/panels/lesson/lesson_question.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/text_field.h"
 #include "gui/widgets/widgets.h"

@@ -9,18 +9,23 @@
 #include <string_view>
 
 #include "engine/question.h"
-#include "gui/panels/lesson/lesson_panel.h"
-#include "gui/session/session.h"
+#include "gui/panels/lesson/lesson_shelf.h"
 #include "gui/work/background_study.h"
 
 namespace ps::gui {
 
+/// What is said of the answer to the step's question.
+struct StepVerdict {
+  std::string question, sentence;
+  std::optional<double> points;  ///< nullopt for a question that was skipped
+};
+
 /// The question of the open step, its measured answer, and what was answered so far.
 class LessonQuestions {
  public:
-  /// `wake` may be called from any thread. `remember`: answers are kept from one start to the next. `lessons` must
+  /// `wake` may be called from any thread. `remember`: answers are kept from one start to the next. `shelf` must
   /// outlive it.
-  LessonQuestions(const std::function<void()>& wake, bool remember, LessonShelf& lessons);
+  LessonQuestions(const std::function<void()>& wake, bool remember, LessonShelf& shelf);
 
   /// Takes up the open step's question, once for each step and each time that the lesson was read. Answers whether it
   /// did.
@@ -31,6 +36,9 @@ class LessonQuestions {
   bool open() const { return question_ && !verdict(); }
   /// Whether it is, and is shown beside the lesson's text; the presenter's window has no place for it.
   bool asked_beside_text(const Session& session) const;
+  /// Hints, claims and the pictures that it covers come after its answer, also where it is not asked: a projector is
+  /// not to show what the audience is asked afterwards.
+  bool holds_back() const { return open() && question_->kind != AskKind::bug; }
   /// The verdict on this step's answer; nullptr before it was given.
   const Judgement* verdict() const;
   /// The answer in words; empty for a question that was passed over.
@@ -52,6 +60,7 @@ class LessonQuestions {
   bool measuring() const { return to_measure_ || measuring_.running(); }
   /// Why it could not be measured.
   std::string failure() const { return to_measure_ ? "" : measuring_.message(); }
+  bool turn_to_verdict = false;  ///< the page with it is to be shown, once
   StudentAnswer answer;
   std::string typed;           ///< AskKind::number
   Vec2i pixel_before{-1, -1};  ///< that the step picks: a click moves it
@@ -64,7 +73,7 @@ class LessonQuestions {
 
   void read_answers(Session& session);
 
-  LessonShelf& lessons_;
+  LessonShelf& shelf_;
   std::string here_;  // "name/2"
   int version_ = -1;  // of the lesson
   std::optional<LessonQuestion> question_;

@@ -1,4 +1,4 @@
-#include "gui/panels/story/lesson_question.h"
+#include "gui/panels/lesson/lesson_question.h"
 
 #include <fmt/format.h>
 
@@ -17,8 +17,8 @@ std::string_view verdict_words(double points) {
 
 }  // namespace
 
-LessonQuestions::LessonQuestions(const std::function<void()>& wake, bool remember, LessonShelf& lessons)
-    : lessons_(lessons), remember_(remember), measuring_(wake) {}
+LessonQuestions::LessonQuestions(const std::function<void()>& wake, bool remember, LessonShelf& shelf)
+    : shelf_(shelf), remember_(remember), measuring_(wake) {}
 
 /// At the first question, so that a start of the window without one reads no file.
 void LessonQuestions::read_answers(Session& session) {
@@ -58,10 +58,10 @@ std::string LessonQuestions::given() const {
 bool LessonQuestions::follow(Session& session) {
   const Document& document = session.document();
   const std::string here = document.lesson.empty() ? "" : key_of(document.lesson, document.step);
-  const Lesson* lesson = lessons_.open(session);
-  if (here == here_ && version_ == lessons_.version()) return false;
+  const Lesson* lesson = shelf_.open();
+  if (here == here_ && version_ == shelf_.version()) return false;
   here_ = here;
-  version_ = lessons_.version();
+  version_ = shelf_.version();
   question_.reset();
   measuring_.cancel();
   to_measure_ = false;
@@ -100,7 +100,7 @@ std::optional<BugLine> LessonQuestions::bug_verdict(const Session& session) cons
 
 void LessonQuestions::take(Session& session, const std::string& given, const Judgement& judgement) {
   answered_[here_] = {given, judgement};
-  lessons_.turn_to_verdict = true;
+  turn_to_verdict = true;
   const Document& document = session.document();
   if (!remember_ || !question_ || given.empty()) return;
   try {
