@@ -5,10 +5,12 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include "base/check.h"
 
-/// Values as bytes, in this machine's order: for two programs of one build that run on the same machine.
+/// Values as bytes, in this machine's order: for two programs of one build that run on the same machine. Writer and
+/// reader have the same words, so that the fields of what goes over are listed once (student/scene_fields.h).
 
 namespace ps {
 
@@ -16,14 +18,25 @@ namespace ps {
 class ByteWriter {
  public:
   template <class Value>
-  void put(const Value& value) {
-    static_assert(std::is_trivially_copyable_v<Value>);
-    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+  void value(const Value& value) {
+    put_all(&value, 1);
   }
   /// Its length, then its characters.
-  void put_text(std::string_view text) {
-    put(static_cast<std::uint32_t>(text.size()));
+  void text(std::string_view text) {
+    value(static_cast<std::uint32_t>(text.size()));
     bytes_.append(text);
+  }
+  /// Its length, then its values.
+  template <class Value>
+  void list(const std::vector<Value>& values) {
+    value(static_cast<std::uint64_t>(values.size()));
+    put_all(values.data(), values.size());
+  }
+  /// Its length, then the fields of each.
+  template <class List, class Fields>
+  void each(const List& list, Fields fields) {
+    value(static_cast<std::uint64_t>(list.size()));
+    for (const auto& one : list) fields(*this, one);
   }
   /// `count` values that lie behind each other, without their number.
   template <class Value>
@@ -43,6 +56,22 @@ class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
 
+  template <class Value>
+  void value(Value& value) {
+    get_all(&value, 1);
+  }
+  void text(std::string& text) { text = get_text(left()); }
+  template <class Value>
+  void list(std::vector<Value>& values) {
+    const auto count = static_cast<std::size_t>(get<std::uint64_t>());
+    require(count, sizeof(Value));
+    values.resize(count);
+    get_all(values.data(), count);
+  }
+  template <class List, class Fields>
+  void each(List& list, Fields fields) {
+    for (auto left = get<std::uint64_t>(); left > 0; --left) fields(*this, list.emplace_back());
+  }
   template <class Value>
   Value get() {
     static_assert(std::is_trivially_copyable_v<Value>);

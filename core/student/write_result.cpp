@@ -11,13 +11,13 @@ std::string_view start_of(std::string_view text, std::size_t longest) {
 }
 
 void put_value(ByteWriter& to, const WatchValue& value) {
-  to.put(static_cast<std::uint8_t>(value.index()));
+  to.value(static_cast<std::uint8_t>(value.index()));
   std::visit(
       [&](const auto& v) {
         if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::string>)
-          to.put_text(start_of(v, longest_watch_text));
+          to.text(start_of(v, longest_watch_text));
         else
-          to.put(v);
+          to.value(v);
       },
       value);
 }
@@ -26,31 +26,31 @@ void put_value(ByteWriter& to, const WatchValue& value) {
 
 std::string result_bytes(const OwnResult& result) {
   ByteWriter to;
-  to.put(result_mark);
-  to.put(result.picture.width());
-  to.put(result.picture.height());
+  to.value(result_mark);
+  to.value(result.picture.width());
+  to.value(result.picture.height());
   to.put_all(result.picture.pixels().data(), result.picture.pixels().size());
-  to.put(result.trace.has_value());
+  to.value(result.trace.has_value());
   if (result.trace) {
     const OwnTrace& trace = *result.trace;
-    to.put(trace.colour);
-    to.put(static_cast<std::uint32_t>(trace.instances.size()));
+    to.value(trace.colour);
+    to.value(static_cast<std::uint32_t>(trace.instances.size()));
     for (const WatchInstance& instance : trace.instances) {
-      to.put(instance.line);
-      to.put(instance.parent);
-      to.put_text(start_of(instance.name, longest_watch_name));
+      to.value(instance.line);
+      to.value(instance.parent);
+      to.text(start_of(instance.name, longest_watch_name));
       put_value(to, instance.value);
     }
-    to.put(static_cast<std::uint32_t>(trace.watches.size()));
+    to.value(static_cast<std::uint32_t>(trace.watches.size()));
     for (const Watch& watch : trace.watches) {
-      to.put(watch.line);
-      to.put(watch.instance);
-      to.put_text(start_of(watch.name, longest_watch_name));
+      to.value(watch.line);
+      to.value(watch.instance);
+      to.text(start_of(watch.name, longest_watch_name));
       put_value(to, watch.value);
     }
-    to.put(trace.dropped);
+    to.value(trace.dropped);
   }
-  to.put(result_mark);
+  to.value(result_mark);
   return to.take();
 }
 
