@@ -9,10 +9,10 @@
 
 #include "options/scene_settings.h"
 #include "raster/clear/polygon_rows.h"
-#include "render/render.h"
 #include "render/story/story_tree.h"
 #include "scene/load.h"
 #include "support/environment.h"
+#include "support/render_once.h"
 
 namespace ps::canvas_fill_test {
 namespace {
@@ -42,12 +42,7 @@ Scene scene_of(const std::vector<CanvasItem>& items) {
 }
 
 Frame drawn(const Scene& scene, const Settings& settings, std::optional<TileRect> region = {}) {
-  RenderRequest request;
-  request.channels = Channel::overdraw;
-  request.region = region;
-  Prepared prepared;
-  Progress progress;
-  return render(scene, {scene.camera, columns, rows}, settings, request, prepared, progress);
+  return render(scene, {scene.camera, columns, rows}, settings, request_for(Channel::overdraw, region));
 }
 
 double turn(Vec2i a, Vec2i b, Vec2i c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
@@ -104,11 +99,7 @@ TEST(CanvasFill, DrawsTheRowsThatTheLabPrints) {
   const Scene scene = load_scene("lab/polygon-rows");
   Settings settings = settings_for(scene);
   settings.canvas_fill = CanvasFill::rows;
-  RenderRequest request;
-  request.channels = Channel::overdraw;
-  Prepared prepared;
-  Progress progress;
-  const Frame frame = render(scene, {scene.camera, 20, 20}, settings, request, prepared, progress);
+  const Frame frame = render(scene, {scene.camera, 20, 20}, settings, request_for(Channel::overdraw));
   for (int y = 0; y < 20; ++y)
     for (int x = 0; x < 20; ++x) {
       const auto row = printed.find(y);
@@ -244,19 +235,15 @@ TEST(CanvasFill, TilesThreadsAndRectanglesDoNotShow) {
   Settings settings = settings_for(scene);
   settings.canvas_fill = CanvasFill::rows;
   const View view{scene.camera, 400, 400};
-  Prepared prepared;
-  Progress progress;
   settings.threads = 1;
-  const Frame whole = render(scene, view, settings, {}, prepared, progress);
+  const Frame whole = render(scene, view, settings);
   for (const int threads : {2, 7}) {
     settings.threads = threads;
-    const Frame again = render(scene, view, settings, {}, prepared, progress);
+    const Frame again = render(scene, view, settings);
     EXPECT_TRUE(again.colour == whole.colour) << threads;
     EXPECT_EQ(again.counters[Counter::fragments], whole.counters[Counter::fragments]);
   }
-  RenderRequest request;
-  request.region = TileRect{37, 41, 255, 190};
-  const Frame part = render(scene, view, settings, request, prepared, progress);
+  const Frame part = render(scene, view, settings, request_for(Channel::none, TileRect{37, 41, 255, 190}));
   for (int y = 41; y < 190; ++y)
     for (int x = 37; x < 255; ++x) ASSERT_EQ(part.colour.at(x, y), whole.colour.at(x, y));
 }
@@ -266,11 +253,9 @@ TEST(CanvasFill, TheStorySaysWhatTheKernelInterpolated) {
   Settings settings = settings_for(scene);
   settings.canvas_fill = CanvasFill::rows;
   const View view{scene.camera, 400, 400};
-  Prepared prepared;
-  Progress progress;
-  const Frame frame = render(scene, view, settings, {}, prepared, progress);
+  const Frame frame = render(scene, view, settings);
   const Vec2i pixel{310, 100};  // in the polygon with four colours
-  const PixelStory story = inspect(scene, view, settings, pixel, prepared, progress);
+  const PixelStory story = inspect(scene, view, settings, pixel);
   EXPECT_EQ(Vec3f(story.linear), frame.colour.at(pixel.x, pixel.y));
   const PolygonEvent* found = nullptr;
   for (const Event& event : story.events)
@@ -297,7 +282,7 @@ TEST(CanvasFill, TheStorySaysWhatTheKernelInterpolated) {
   EXPECT_EQ(ends, 2);
   // By edge functions the same polygon reports the triangles that it is filled as.
   settings.canvas_fill = CanvasFill::edges;
-  const PixelStory fan = inspect(scene, view, settings, pixel, prepared, progress);
+  const PixelStory fan = inspect(scene, view, settings, pixel);
   int polygons = 0, fragments = 0;
   for (std::size_t i = 0; i < fan.events.size(); ++i) {
     const auto* polygon = std::get_if<PolygonEvent>(&fan.events[i].data);

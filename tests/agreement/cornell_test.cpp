@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps::cornell_test {
 namespace {
@@ -14,11 +14,7 @@ namespace {
 constexpr int size = 200;
 
 Frame draw(const Scene& scene, const Settings& settings) {
-  RenderRequest request;
-  request.channels = Channel::ids | Channel::depth;
-  Prepared prepared;
-  Progress progress;
-  return render(scene, {scene.camera, size, size}, settings, request, prepared, progress);
+  return render(scene, {scene.camera, size, size}, settings, request_for(Channel::ids | Channel::depth));
 }
 
 Settings unshadowed(const Scene& scene) {

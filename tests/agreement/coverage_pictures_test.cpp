@@ -3,8 +3,8 @@
 
 #include "options/scene_settings.h"
 #include "raster/clear/coverage/efficiency.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps::coverage_pictures_test {
 namespace {
@@ -68,11 +68,7 @@ TEST(CoveragePictures, ChannelOfTestsAddsUpToTheCounter) {
   for (const Coverage strategy :
        {Coverage::edge_function, Coverage::ray_test, Coverage::barycentric, Coverage::hoisted}) {
     pictures.settings.coverage = strategy;
-    RenderRequest request;
-    request.channels = Channel::tests;
-    Prepared prepared;
-    Progress progress;
-    const Frame frame = render(pictures.scene, pictures.view, pictures.settings, request, prepared, progress);
+    const Frame frame = render(pictures.scene, pictures.view, pictures.settings, request_for(Channel::tests));
     std::uint64_t sum = 0;
     for (const std::uint32_t tests : frame.tests.pixels()) sum += tests;
     EXPECT_EQ(sum, frame.counters[Counter::coverage_tests]);
@@ -89,10 +85,8 @@ TEST(CoveragePictures, StoriesShowHowTheStrategyDecided) {
   const Vec2i pixel = pictures.scene.start_pixel;
   for (const Coverage strategy : all) {
     pictures.settings.coverage = strategy;
-    Prepared prepared;
-    Progress progress;
     const Vec3f drawn = pictures.draw().colour.at(pixel.x, pixel.y);
-    const PixelStory story = inspect(pictures.scene, pictures.view, pictures.settings, pixel, prepared, progress);
+    const PixelStory story = inspect(pictures.scene, pictures.view, pictures.settings, pixel);
     EXPECT_EQ(Vec3f(story.linear), drawn);
     int decisions = 0;
     for (const Event& event : story.events)

@@ -7,8 +7,8 @@
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "raster/setup/depth_format.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps::depth_format_test {
 namespace {
@@ -109,13 +109,7 @@ TEST(DepthFormat, KeepsOrderAndLimits) {
 int fighting(const std::vector<std::string>& assignments) {
   const Scene scene = load_scene("lab/z-fighting");
   const View view{scene.camera, 300, 300};
-  RenderRequest request;
-  request.channels = Channel::ids;
-  const auto draw = [&](Settings settings) {
-    Prepared prepared;
-    Progress progress;
-    return render(scene, view, settings, request, prepared, progress);
-  };
+  const auto draw = [&](Settings settings) { return render(scene, view, settings, request_for(Channel::ids)); };
   Settings truth = settings_for(scene);
   truth.precision = Precision::float64;
   truth.depth_format = DepthFormat::plain;
@@ -147,9 +141,7 @@ TEST(ZFighting, InspectorShowsTheStoredSteps) {
   const Scene scene = load_scene("lab/z-fighting");
   Settings settings = settings_for(scene);
   settings.depth_bits = 8;
-  Prepared prepared;
-  Progress progress;
-  const PixelStory story = inspect(scene, {scene.camera, 600, 600}, settings, scene.start_pixel, prepared, progress);
+  const PixelStory story = inspect(scene, {scene.camera, 600, 600}, settings, scene.start_pixel);
   int failed = 0;
   for (const Event& event : story.events)
     if (const auto* fragment = std::get_if<FragmentEvent>(&event.data)) {

@@ -11,7 +11,7 @@
 #include <random>
 
 #include "raster/base/depth_plane.h"
-#include "render/render.h"
+#include "support/render_once.h"
 
 namespace ps::depth_plane_test {
 namespace {
@@ -93,9 +93,7 @@ double rounding_of_z(const Corners& c, const Vec2d& p, Projection projection, do
 
 /// What the pixel's only fragment put into the depth test; of several samples the first.
 std::optional<double> depth_at(const Scene& scene, const Settings& settings, Vec2i pixel) {
-  Prepared prepared;
-  Progress progress;
-  const PixelStory story = inspect(scene, {scene.camera, size, size}, settings, pixel, prepared, progress);
+  const PixelStory story = inspect(scene, {scene.camera, size, size}, settings, pixel);
   for (const Event& event : story.events)
     if (const auto* fragment = std::get_if<FragmentEvent>(&event.data))
       if (fragment->depth == FragmentEvent::Depth::passed && fragment->samples == fragment->samples_covered)
@@ -184,12 +182,8 @@ TEST(DepthPlanePictures, EqualThoseOfDepthsThatAreLinearOnTheScreen) {
     for (int i = 0; i < 60; ++i) triangles.push_back(random_triangle(random, projection));
     const Scene scene = scene_of(triangles);
     const auto draw = [&](DepthValue value) {
-      RenderRequest request;
-      request.channels = Channel::ids;
-      Prepared prepared;
-      Progress progress;
-      return render(scene, {scene.camera, size, size}, settings_with(value, projection, Precision::float64), request,
-                    prepared, progress);
+      return render(scene, {scene.camera, size, size}, settings_with(value, projection, Precision::float64),
+                    request_for(Channel::ids));
     };
     const bool perspective = projection == Projection::perspective;
     const Frame plane = draw(DepthValue::ray_plane);
@@ -213,12 +207,8 @@ TEST(DepthPlanePictures, DrawTrianglesSeenEdgeOn) {
     const Scene scene = scene_of({c});
     for (const Precision precision : {Precision::float32, Precision::float64}) {
       const auto draw = [&](DepthValue value) {
-        RenderRequest request;
-        request.channels = Channel::ids;
-        Prepared prepared;
-        Progress progress;
         return render(scene, {scene.camera, size, size}, settings_with(value, Projection::perspective, precision),
-                      request, prepared, progress);
+                      request_for(Channel::ids));
       };
       const Frame by_plane = draw(DepthValue::ray_plane), interpolated = draw(DepthValue::inverse_z);
       for (int y = 0; y < size; ++y)

@@ -7,8 +7,8 @@
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "raster/base/multisample.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps::draw_steps_test {
 namespace {
@@ -26,11 +26,7 @@ struct Drawing {
   Frame draw(std::initializer_list<const char*> assignments, Channel channels = Channel::none) const {
     Settings changed = settings;
     for (const char* assignment : assignments) parse_assignment(assignment, changed);
-    RenderRequest request;
-    request.channels = channels;
-    Prepared prepared;
-    Progress progress;
-    return render(scene, view, changed, request, prepared, progress);
+    return render(scene, view, changed, request_for(channels));
   }
 };
 
@@ -113,9 +109,7 @@ TEST(DrawSteps, StoriesRepeatThePicture) {
     Settings settings = drawing.settings;
     parse_assignment(how, settings);
     for (const Vec2i pixel : {Vec2i{500, 300}, Vec2i{300, 300}, Vec2i{37, 300}, Vec2i{2, 2}}) {
-      Prepared prepared;
-      Progress progress;
-      const PixelStory story = inspect(drawing.scene, drawing.view, settings, pixel, prepared, progress);
+      const PixelStory story = inspect(drawing.scene, drawing.view, settings, pixel);
       EXPECT_EQ(Vec3f(story.linear), frame.colour.at(pixel.x, pixel.y));
     }
   }

@@ -6,11 +6,11 @@
 
 #include "raster/maps.h"
 #include "render/left_out.h"
-#include "render/render.h"
 #include "scene/edit.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
 #include "scene/scene_writer.h"
+#include "support/render_once.h"
 
 namespace ps::environment_objects_test {
 namespace {
@@ -38,11 +38,7 @@ Frame drawn(const Scene& scene, Renderer renderer, EnvironmentObjects objects = 
   settings.environment_objects = objects;
   settings.environment_size = 512;
   settings.backface_culling = true;
-  Prepared prepared;
-  Progress progress;
-  RenderRequest request;
-  request.channels = Channel::ids;
-  return render(scene, {scene.camera, side, side}, settings, request, prepared, progress);
+  return render(scene, {scene.camera, side, side}, settings, request_for(Channel::ids));
 }
 
 /// Which pixels of the mirror show the dynamic object, by what rays find with and without it.
@@ -220,9 +216,7 @@ TEST(EnvironmentObjects, TheInspectorAndTheCaptionSayWhatIsLeftOut) {
   for (const EnvironmentObjects choice : {EnvironmentObjects::all, EnvironmentObjects::fixed}) {
     settings.environment_objects = choice;
     const int expected = choice == EnvironmentObjects::fixed ? 1 : 0;
-    Prepared prepared;
-    Progress progress;
-    const PixelStory story = inspect(scene, {scene.camera, 60, 60}, settings, {30, 33}, prepared, progress);
+    const PixelStory story = inspect(scene, {scene.camera, 60, 60}, settings, {30, 33});
     int maps = 0;
     for (const Event& event : story.events)
       if (const auto* map = std::get_if<EnvironmentEvent>(&event.data)) {

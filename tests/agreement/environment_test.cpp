@@ -6,8 +6,8 @@
 #include "options/scene_settings.h"
 #include "raster/maps.h"
 #include "raster/shadow/cube_face.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps::environment_test {
 namespace {
@@ -46,11 +46,7 @@ Frame draw(const Scene& scene, const Settings& settings, Renderer renderer) {
   Settings chosen = settings;
   chosen.renderer = renderer;
   chosen.shadows = Shadows::none;
-  RenderRequest request;
-  request.channels = Channel::ids;
-  Prepared prepared;
-  Progress progress;
-  return render(scene, {scene.camera, size, size}, chosen, request, prepared, progress);
+  return render(scene, {scene.camera, size, size}, chosen, request_for(Channel::ids));
 }
 
 int mirror_of(const Scene& scene) {

@@ -13,10 +13,10 @@
 #include "options/scene_settings.h"
 #include "options/simd_choice.h"
 #include "render/fast_path.h"
-#include "render/render.h"
 #include "scene/load.h"
 #include "support/emulated.h"
 #include "support/option_contexts.h"
+#include "support/render_once.h"
 
 namespace fast_path_test {
 namespace {
@@ -41,9 +41,7 @@ std::string_view expect_drawn_as_predicted(const Scene& scene, const SceneTraits
                                            Channel channels, Prepared& prepared) {
   const FastPath predicted = fast_path(settings, traits, channels);
   Progress progress;
-  RenderRequest request;
-  request.channels = channels;
-  const Frame frame = render(scene, {scene.camera, width, height}, settings, request, prepared, progress);
+  const Frame frame = render(scene, {scene.camera, width, height}, settings, request_for(channels), prepared, progress);
   EXPECT_EQ(machinery_key(frame.path.machinery), machinery_key(predicted.machinery)) << predicted.reason;
   // Where every surface asks for scalar shading, nothing is left for SIMD.
   const bool none_left = predicted.shading == SurfaceShading::mixed && frame.path.shading == SurfaceShading::single;
@@ -93,11 +91,7 @@ Frame drawn(const std::string& name, const std::vector<std::string>& assignments
   const Scene scene = load_scene(name);
   Settings settings = settings_for(scene);
   for (const std::string& assignment : assignments) parse_assignment(assignment, settings);
-  Prepared prepared;
-  Progress progress;
-  RenderRequest request;
-  request.region = region;
-  return render(scene, {scene.camera, width, height}, settings, request, prepared, progress);
+  return render(scene, {scene.camera, width, height}, settings, request_for(Channel::none, region));
 }
 
 // The work that was counted shows which code ran: SIMD searches for triangles visit a tree of their own.

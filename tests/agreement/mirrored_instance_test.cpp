@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "inspect/describe.h"
-#include "render/render.h"
 #include "scene/scene_file.h"
 #include "scene/world.h"
 #include "support/all_accelerators.h"
+#include "support/render_once.h"
 
 namespace mirrored_instance_test {
 namespace {
@@ -56,11 +56,7 @@ const std::vector<std::string> mirrors_of_space{
     "transform { scale = (-1,-1,-1) ", "transform { rotation = [(0,1,0),(1,0,0),(0,0,1)] "};
 
 Frame picture_of(const Scene& scene, const Settings& settings) {
-  Prepared prepared;
-  Progress progress;
-  RenderRequest request;
-  request.channels = Channel::facing | Channel::ids;
-  return render(scene, {scene.camera, 48, 36}, settings, request, prepared, progress);
+  return render(scene, {scene.camera, 48, 36}, settings, request_for(Channel::facing | Channel::ids));
 }
 
 /// Pixels that differ in colour or in the side that they show.
@@ -157,13 +153,11 @@ TEST(MirroredInstance, StandsInAGroupThatMirrors) {
 
 TEST(MirroredInstance, TheInspectorSaysThatItsFrontIsSeen) {
   const Scene scene = parse_scene(scene_with(mirrors_of_space[0], ""), "mirrored.scene", ".");
-  Prepared prepared;
-  Progress progress;
   int hits = 0;
   for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
     Settings settings;
     settings.renderer = renderer;
-    const PixelStory story = inspect(scene, {scene.camera, 48, 36}, settings, {18, 19}, prepared, progress);
+    const PixelStory story = inspect(scene, {scene.camera, 48, 36}, settings, {18, 19});
     for (const Event& event : story.events) {
       if (const auto* hit = std::get_if<HitEvent>(&event.data)) {
         EXPECT_FALSE(hit->back_face);

@@ -1,9 +1,9 @@
 // What lies right on the near or far limit is seen, by rays as by the rasterizer: the book's interval of t is closed.
 #include <gtest/gtest.h>
 
-#include "render/render.h"
 #include "scene/scene_file.h"
 #include "support/all_accelerators.h"
+#include "support/render_once.h"
 
 namespace near_limit_test {
 namespace {
@@ -20,11 +20,7 @@ std::string wall_at(double z, bool triangles) {
 /// How many of the picture's 300 pixels show the wall.
 int seen_pixels(const std::string& scene_text, const Settings& settings) {
   const Scene scene = parse_scene("background = black " + scene_text, "wall.scene", ".");
-  Prepared prepared;
-  Progress progress;
-  RenderRequest request;
-  request.channels = Channel::ids;
-  const Frame frame = render(scene, {scene.camera, 20, 15}, settings, request, prepared, progress);
+  const Frame frame = render(scene, {scene.camera, 20, 15}, settings, request_for(Channel::ids));
   int count = 0;
   for (const PixelId& id : frame.ids.pixels()) count += id.object == 0 ? 1 : 0;
   return count;
@@ -83,11 +79,7 @@ TEST(NearLimit, IsClosedForSpheres) {
       settings.precision = precision;
       settings.far = 1;
       const Scene scene = parse_scene("sphere { center=(0,0,2) radius=1 }", "sphere.scene", ".");
-      Prepared prepared;
-      Progress progress;
-      RenderRequest request;
-      request.channels = Channel::ids;
-      const Frame frame = render(scene, {scene.camera, 5, 5}, settings, request, prepared, progress);
+      const Frame frame = render(scene, {scene.camera, 5, 5}, settings, request_for(Channel::ids));
       for (int y = 0; y < 5; ++y)
         for (int x = 0; x < 5; ++x) EXPECT_EQ(frame.ids.at(x, y).object, x == 2 && y == 2 ? 0 : -1);
     }

@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "image/height_map.h"
-#include "render/render.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
+#include "support/render_once.h"
 #include "support/same_bits.h"
 #include "support/simd_targets.h"
 
@@ -18,11 +18,7 @@ namespace {
 using namespace ps;
 
 Frame rendered(const Scene& scene, const Settings& settings, int size = 80) {
-  Prepared prepared;
-  Progress progress;
-  RenderRequest request;
-  request.channels = Channel::normal | Channel::ids;
-  return render(scene, View{scene.camera, size, size}, settings, request, prepared, progress);
+  return render(scene, View{scene.camera, size, size}, settings, request_for(Channel::normal | Channel::ids));
 }
 
 /// A quad that fills the picture, turned out of every axis, with `material` and the texture coordinates of its corners.
@@ -127,9 +123,7 @@ TEST(NormalMap, RaysAndFragmentsAgree) {
 Frame brick_wall(Settings settings, Simd simd) {
   const Scene scene = load_scene("cgfs/brick-wall");
   settings.simd = simd;
-  Prepared prepared;
-  Progress progress;
-  return render(scene, View{scene.camera, 160, 120}, settings, {}, prepared, progress);
+  return render(scene, View{scene.camera, 160, 120}, settings);
 }
 
 TEST(NormalMap, RaysAgreeOnFastAndClearPath) {

@@ -5,8 +5,8 @@
 
 #include "options/scene_settings.h"
 #include "raster/clear/coverage/walk.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps::one_dimension_test {
 namespace {
@@ -45,11 +45,7 @@ TEST(OneDimension, SceneCoversWhatTheFormulaSays) {
   Settings settings = settings_for(scene);
   for (const int bits : {0, 1, 2, 8, 12}) {
     settings.subpixel_bits = bits;
-    Prepared prepared;
-    Progress progress;
-    RenderRequest request;
-    request.channels = Channel::ids;
-    const Frame frame = render(scene, {scene.camera, 24, 10}, settings, request, prepared, progress);
+    const Frame frame = render(scene, {scene.camera, 24, 10}, settings, request_for(Channel::ids));
     for (int row = 0; row < 10; ++row) {
       std::set<int> expected, drawn;
       for (const Segment& segment : segments)

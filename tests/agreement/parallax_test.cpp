@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "render/render.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
+#include "support/render_once.h"
 
 namespace parallax_test {
 namespace {
@@ -19,11 +19,7 @@ using namespace ps;
 constexpr int columns = 120, rows = 80;
 
 Frame rendered(const Scene& scene, const Settings& settings) {
-  Prepared prepared;
-  Progress progress;
-  RenderRequest request;
-  request.channels = Channel::ids | Channel::uv;
-  return render(scene, View{scene.camera, columns, rows}, settings, request, prepared, progress);
+  return render(scene, View{scene.camera, columns, rows}, settings, request_for(Channel::ids | Channel::uv));
 }
 
 Settings settings_with(Renderer renderer, Parallax parallax, int steps = 64) {

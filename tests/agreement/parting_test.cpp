@@ -12,9 +12,9 @@
 #include "inspect/parting/parting.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
+#include "support/render_once.h"
 
 namespace ps::parting_test {
 namespace {
@@ -283,9 +283,7 @@ TEST(Parting, SaysNothingWherePicturesAgree) {
   const Scene scene = load_scene("cgfs/reflections");
   const View view{scene.camera, scene.canvas_width, scene.canvas_height};
   const Settings settings = settings_for(scene);
-  Prepared prepared;
-  Progress progress;
-  const PixelStory story = inspect(scene, view, settings, {300, 420}, prepared, progress);
+  const PixelStory story = inspect(scene, view, settings, {300, 420});
   EXPECT_EQ(find_parting(scene, {story, settings}, {story, settings}).cause, PartingCause::none);
 }
 
@@ -317,10 +315,8 @@ TEST(AlignStories, PutsARayBesideAFragment) {
   const Settings traced = settings_for(scene);
   Settings rasterized = traced;
   rasterized.renderer = Renderer::rasterizer;
-  Prepared prepared;
-  Progress progress;
-  const PixelStory ray = inspect(scene, view, traced, {300, 420}, prepared, progress);
-  const PixelStory fragment = inspect(scene, view, rasterized, {300, 420}, prepared, progress);
+  const PixelStory ray = inspect(scene, view, traced, {300, 420});
+  const PixelStory fragment = inspect(scene, view, rasterized, {300, 420});
   for (const bool swapped : {false, true}) {
     const PixelStory &a = swapped ? fragment : ray, &b = swapped ? ray : fragment;
     const auto rows = align_stories(a, b, scene);
@@ -352,9 +348,7 @@ TEST(Parting, CallsAnUnknownCauseUnexplained) {
   const Scene scene = load_scene("cgfs/reflections");
   const View view{scene.camera, scene.canvas_width, scene.canvas_height};
   const Settings settings = settings_for(scene);
-  Prepared prepared;
-  Progress progress;
-  const PixelStory story = inspect(scene, view, settings, {300, 420}, prepared, progress);
+  const PixelStory story = inspect(scene, view, settings, {300, 420});
   PixelStory forged = story;
   forged.linear.x += 0.25;
   EXPECT_EQ(find_parting(scene, {story, settings}, {forged, settings}).cause, PartingCause::unexplained);

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
+#include "support/render_once.h"
 
 namespace shadow_bias_test {
 namespace {
@@ -16,11 +16,7 @@ namespace {
 using namespace ps;
 
 Frame shadow_picture(const Scene& scene, const Settings& settings) {
-  Prepared prepared;
-  Progress progress;
-  RenderRequest request;
-  request.channels = Channel::ids | Channel::shadow;
-  return render(scene, {scene.camera, 120, 80}, settings, request, prepared, progress);
+  return render(scene, {scene.camera, 120, 80}, settings, request_for(Channel::ids | Channel::shadow));
 }
 
 Settings with_maps(int size, int filter) {

@@ -7,8 +7,8 @@
 
 #include "raster/maps.h"
 #include "raster/shadow/shadow_lookup.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps::shadow_map_test {
 namespace {
@@ -158,10 +158,8 @@ TEST(ShadowMap, HoldsTheDepthThatRaysFind) {
     rays.near = 1e-3;
     rays.lighting = false;
     rays.reflection_depth = 0;
-    RenderRequest request;
-    request.channels = Channel::depth;
     const View view{raster::cube_camera(raster::cube_faces()[face], cube.position), 128, 128};
-    const Frame traced = render(scene, view, rays, request, prepared, progress);
+    const Frame traced = render(scene, view, rays, request_for(Channel::depth), prepared, progress);
     for (int y = 0; y < 128; ++y)
       for (int x = 0; x < 128; ++x) {
         const float a = cube.faces[face].at(x, y), b = traced.depth.at(x, y);

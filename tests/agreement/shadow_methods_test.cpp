@@ -6,8 +6,8 @@
 
 #include "image/display.h"
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps::shadow_methods_test {
 namespace {
@@ -15,11 +15,7 @@ namespace {
 constexpr int size = 300;
 
 Frame draw(const Scene& scene, const Settings& settings) {
-  RenderRequest request;
-  request.channels = Channel::ids | Channel::shadow;
-  Prepared prepared;
-  Progress progress;
-  return render(scene, {scene.camera, size, size}, settings, request, prepared, progress);
+  return render(scene, {scene.camera, size, size}, settings, request_for(Channel::ids | Channel::shadow));
 }
 
 int level_difference(const Rgb8& a, const Rgb8& b) {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps::start_pixel_test {
 namespace {
@@ -14,9 +14,7 @@ PixelStory story_of(const Scene& scene, Renderer renderer) {
   Settings settings = settings_for(scene);
   settings.renderer = renderer;
   const View view{scene.camera, scene.canvas_width, scene.canvas_height};
-  Prepared prepared;
-  Progress progress;
-  return inspect(scene, view, settings, scene.start_pixel, prepared, progress);
+  return inspect(scene, view, settings, scene.start_pixel);
 }
 
 template <class Event>

@@ -4,18 +4,15 @@
 #include <algorithm>
 
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps::stencil_test {
 namespace {
 
 Frame draw(const Scene& scene, const Settings& settings) {
-  RenderRequest request;
-  request.channels = Channel::ids | Channel::shadow | Channel::stencil;
-  Prepared prepared;
-  Progress progress;
-  return render(scene, {scene.camera, 150, 100}, settings, request, prepared, progress);
+  return render(scene, {scene.camera, 150, 100}, settings,
+                request_for(Channel::ids | Channel::shadow | Channel::stencil));
 }
 
 /// Of the pixels that show `object` in both, the share (%) whose light `light` is seen in one only.
@@ -48,9 +45,7 @@ TEST(Stencil, WithoutACasterEverythingIsLit) {
     const Settings settings = with(scene, Renderer::rasterizer, method);
     const Frame drawn = draw(scene, settings);
     EXPECT_TRUE(std::ranges::equal(drawn.colour.pixels(), lit.colour.pixels()));
-    Prepared prepared;
-    Progress progress;
-    const PixelStory story = inspect(scene, {scene.camera, 150, 100}, settings, {75, 60}, prepared, progress);
+    const PixelStory story = inspect(scene, {scene.camera, 150, 100}, settings, {75, 60});
     for (int i = 0; i < 3; ++i) EXPECT_EQ(story.linear[i], static_cast<double>(lit.colour.at(75, 60)[i]));
   }
 }
@@ -96,11 +91,8 @@ TEST(Stencil, TheEdgeOfAnObjectIsNotInItsOwnShadow) {
     std::erase_if(geometry.objects, [](const Object& o) { return std::holds_alternative<Sphere>(o.shape); });
   });
   const auto draw_large = [&](Renderer renderer, Shadows shadows) {
-    RenderRequest request;
-    request.channels = Channel::ids | Channel::shadow;
-    Prepared prepared;
-    Progress progress;
-    return render(scene, {scene.camera, 300, 200}, with(scene, renderer, shadows), request, prepared, progress);
+    return render(scene, {scene.camera, 300, 200}, with(scene, renderer, shadows),
+                  request_for(Channel::ids | Channel::shadow));
   };
   const Frame traced = draw_large(Renderer::ray_tracer, Shadows::traced);
   const Frame drawn = draw_large(Renderer::rasterizer, Shadows::stencil_depth_fail);

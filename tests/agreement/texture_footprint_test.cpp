@@ -5,8 +5,8 @@
 
 #include "base/resources.h"
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps::texture_footprint_test {
 namespace {
@@ -22,11 +22,7 @@ Settings raster_settings(const Scene& scene) {
 }
 
 Frame draw(const Scene& scene, const Settings& settings, int side, Channel channels = Channel::none) {
-  RenderRequest request;
-  request.channels = channels;
-  Prepared prepared;
-  Progress progress;
-  return render(scene, {scene.camera, side, side}, settings, request, prepared, progress);
+  return render(scene, {scene.camera, side, side}, settings, request_for(channels));
 }
 
 /// Root mean square difference (levels of 255) of the rows right below the horizon from the mean of 16 x 16 samples.

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "options/option.h"
-#include "render/render.h"
 #include "scene/scene_file.h"
 #include "support/emulated.h"
+#include "support/render_once.h"
 #include "support/simd_targets.h"
 
 namespace ps::ties_test {
@@ -92,11 +92,7 @@ Frame draw(const Scene& scene, int size, const std::vector<std::string>& way) {
   for (const char* assignment : {"backface-culling=off", "lighting=off", "far=16"})
     parse_assignment(assignment, settings);
   for (const std::string& assignment : way) parse_assignment(assignment, settings);
-  Prepared prepared;
-  Progress progress;
-  RenderRequest request;
-  request.channels = Channel::ids | Channel::depth;
-  return render(scene, {scene.camera, size, size}, settings, request, prepared, progress);
+  return render(scene, {scene.camera, size, size}, settings, request_for(Channel::ids | Channel::depth));
 }
 
 /// Calls body(objects) with the objects in every order.

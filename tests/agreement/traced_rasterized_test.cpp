@@ -6,9 +6,9 @@
 #include "image/display.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
 #include "support/emulated.h"
+#include "support/render_once.h"
 
 namespace ps::traced_rasterized_test {
 namespace {
@@ -26,17 +26,15 @@ Pair draw_both(const Scene& scene, Settings settings) {
   if (test::is_emulated())  // the middle alone; elsewhere both pictures are black
     request.region =
         TileRect{view.width / 4, view.height / 4, view.width - view.width / 4, view.height - view.height / 4};
-  Prepared prepared;
-  Progress progress;
   settings.shadows = Shadows::none;
   settings.reflection_depth = 0;
   settings.draw = Draw::filled;
   settings.backface_culling = false;
   Pair pair;
   settings.renderer = Renderer::ray_tracer;
-  pair.traced = render(scene, view, settings, request, prepared, progress);
+  pair.traced = render(scene, view, settings, request);
   settings.renderer = Renderer::rasterizer;
-  pair.rasterized = render(scene, view, settings, request, prepared, progress);
+  pair.rasterized = render(scene, view, settings, request);
   return pair;
 }
 

@@ -9,11 +9,11 @@
 #include "options/option.h"
 #include "render/fast_path.h"
 #include "render/left_out.h"
-#include "render/render.h"
 #include "render/renderer_table.h"
 #include "scene/load.h"
 #include "study/chart.h"
 #include "study/counted_work.h"
+#include "support/render_once.h"
 
 namespace {
 
@@ -43,11 +43,9 @@ TEST(AddedRenderer, IsAChoiceOfTheOption) {
 TEST(AddedRenderer, MakesPicturesAndStories) {
   const Scene scene = load_scene("cgfs/reflections");
   const View view{scene.camera, 40, 30};
-  Prepared prepared;
-  Progress progress;
   const Frame frame = render(scene, view, constant_settings());
   EXPECT_EQ(frame.colour.at(3, 4), Vec3f(scene.background * 0.5));
-  const PixelStory story = inspect(scene, view, constant_settings(), {3, 4}, prepared, progress);
+  const PixelStory story = inspect(scene, view, constant_settings(), {3, 4});
   EXPECT_EQ(story.renderer, constant());
   const Rgb8 shown = display_frame(frame, constant_settings()).at(3, 4);
   EXPECT_EQ(story.display, (std::array<int, 3>{shown.r, shown.g, shown.b}));

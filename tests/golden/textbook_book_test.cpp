@@ -20,9 +20,7 @@ Image<Rgb8> picture(const Scene& scene, const std::vector<std::string>& changes)
   Settings settings = settings_for(scene);
   parse_assignment("renderer=textbook", settings);
   for (const std::string& change : changes) parse_assignment(change, settings);
-  Prepared prepared;
-  Progress progress;
-  return display_image(render(scene, {scene.camera, 600, 600}, settings, {}, prepared, progress).colour_double);
+  return display_image(render(scene, {scene.camera, 600, 600}, settings).colour_double);
 }
 
 std::int64_t differing(const Image<Rgb8>& actual, const Image<Rgb8>& expected) {

@@ -9,10 +9,10 @@
 #include "base/check.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
 #include "support/bare_scene.h"
 #include "support/option_contexts.h"
+#include "support/render_once.h"
 #include "support/trials.h"
 
 namespace ps::bare_scenes_test {
@@ -50,9 +50,8 @@ int draw_under_every_option(const Scene& scene, const std::string& name) {
         option.set(settings, value);
         SCOPED_TRACE(name + ", " + std::string(option.key) + "=" + option_text(option, settings));
         Progress progress;
-        RenderRequest request;
-        request.channels = Channel::ids | Channel::stencil | Channel::shadow;
-        EXPECT_NO_THROW(render(scene, view, settings, request, prepared, progress));
+        EXPECT_NO_THROW(render(scene, view, settings, request_for(Channel::ids | Channel::stencil | Channel::shadow),
+                               prepared, progress));
         EXPECT_NO_THROW(inspect(scene, view, settings, {2, 2}, prepared, progress));
         ++pictures;
       }

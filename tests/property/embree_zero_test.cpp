@@ -12,9 +12,9 @@
 #include "options/scene_settings.h"
 #include "raytrace/base/trace_inputs.h"
 #include "raytrace/clear/intersector.h"
-#include "render/render.h"
 #include "scene/load.h"
 #include "support/environment.h"
+#include "support/render_once.h"
 #include "support/trials.h"
 
 namespace embree_zero_test {
@@ -94,9 +94,7 @@ TEST(EmbreeZero, TheMiddleRowOfThePictureIsWhole) {
   const auto ids = [&](Accelerator accelerator) {
     settings.accelerator = accelerator;
     Progress progress;
-    RenderRequest request;
-    request.channels = Channel::ids;
-    return render(scene, {scene.camera, 142, 101}, settings, request, prepared, progress).ids;
+    return render(scene, {scene.camera, 142, 101}, settings, request_for(Channel::ids), prepared, progress).ids;
   };
   const Image<PixelId> expected = ids(Accelerator::bvh), found = ids(Accelerator::embree);
   for (int x = 0; x < expected.width(); ++x) EXPECT_EQ(expected.at(x, 50), found.at(x, 50)) << x;

@@ -5,11 +5,11 @@
 #include "frame/display_frame.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
 #include "support/environment.h"
 #include "support/random_scene.h"
 #include "support/random_settings.h"
+#include "support/render_once.h"
 #include "support/same_bits.h"
 #include "support/trials.h"
 
@@ -65,9 +65,7 @@ void edit(Scene& scene, Random& random) {
 
 Frame frame(const Scene& scene, const View& view, const Settings& settings, Prepared& prepared) {
   Progress progress;
-  RenderRequest request;
-  request.channels = Channel::depth | Channel::ids;
-  return render(scene, view, settings, request, prepared, progress);
+  return render(scene, view, settings, request_for(Channel::depth | Channel::ids), prepared, progress);
 }
 
 // The metamorphic test of Prepared: whatever was rendered before, a picture made with what is kept from it equals one

@@ -10,8 +10,8 @@
 #include "frame/display_frame.h"
 #include "image/display.h"
 #include "options/option.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 #include "support/same_bits.h"
 #include "support/simd_targets.h"
 #include "support/trials.h"
@@ -43,11 +43,7 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
 };
 
 Frame draw(const Scene& scene, const View& view, const Settings& settings, Channel channels = Channel::none) {
-  Prepared prepared;
-  Progress progress;
-  RenderRequest request;
-  request.channels = channels;
-  return render(scene, view, settings, request, prepared, progress);
+  return render(scene, view, settings, request_for(channels));
 }
 
 TEST(Rasterized, ChannelsDoNotChangeTheColour) {
@@ -68,12 +64,10 @@ TEST(Rasterized, InspectorReportsThePicturesOwnBits) {
     const View view{scene.camera, 221, 260};
     const Settings settings = settings_of(assignments);
     const Frame frame = draw(scene, view, settings, Channel::overdraw);
-    Prepared prepared;
-    Progress progress;
     for (int trial = 0; trial < 40; ++trial) {
       const Vec2i pixel{std::uniform_int_distribution<int>(0, view.width - 1)(random),
                         std::uniform_int_distribution<int>(0, view.height - 1)(random)};
-      const PixelStory story = inspect(scene, view, settings, pixel, prepared, progress);
+      const PixelStory story = inspect(scene, view, settings, pixel);
       const Vec3d expected = settings.precision == Precision::float64 ? frame.colour_double.at(pixel.x, pixel.y)
                                                                       : Vec3d(frame.colour.at(pixel.x, pixel.y));
       EXPECT_EQ(story.linear, expected) << name << " at " << pixel.x << ", " << pixel.y << ", seed " << seed;
@@ -109,11 +103,9 @@ TEST(Rasterized, IdsAndDepthsAreNoReasonToBeSlow) {
 TEST(Rasterized, StoryAccountsForEveryTriangle) {
   const Scene scene = load_scene("cgfs/shading");
   const Settings settings = settings_of({});
-  Prepared prepared;
-  Progress progress;
   const View view{scene.camera, 600, 600};
   for (const Vec2i pixel : {scene.start_pixel, Vec2i{300, 300}, Vec2i{0, 0}, Vec2i{150, 330}}) {
-    const PixelStory story = inspect(scene, view, settings, pixel, prepared, progress);
+    const PixelStory story = inspect(scene, view, settings, pixel);
     std::uint64_t reported = 0;
     for (const Event& event : story.events)
       reported += std::holds_alternative<FragmentEvent>(event.data) || std::holds_alternative<RejectEvent>(event.data);
@@ -175,13 +167,11 @@ TEST(Rasterized, InterpolatesOneOverZ) {
     g.objects.push_back({"strip", Instance{}});
   });
   const View view{scene.camera, 600, 600};
-  Prepared prepared;
-  Progress progress;
   const auto depth_at = [&](const char* value) {
     Settings settings = settings_of({"sample-position=corner", "precision=double", "backface-culling=off",
                                      "lighting=off", std::string("depth-value=") + value});
     // The book's example: t = 5/6 of the way from x = -300 to x = 60 is x = 0.
-    const PixelStory story = inspect(scene, view, settings, {300, 299}, prepared, progress);
+    const PixelStory story = inspect(scene, view, settings, {300, 299});
     for (const Event& event : story.events)
       if (const auto* fragment = std::get_if<FragmentEvent>(&event.data)) return fragment->depth_new.value();
     return 0.0;
@@ -211,13 +201,11 @@ TEST(Rasterized, LowestIndexWinsTies) {
 /// A pixel inside a triangle of which only edges or corners are drawn gets the reason why it stays empty; a sphere's
 /// events name the sphere, as rays' do, and keep the number of the triangle that stands for it as a detail.
 TEST(Rasterized, InspectorNamesWhatPassesBy) {
-  Prepared prepared;
-  Progress progress;
   const Scene cubes = load_scene("cgfs/wireframe");
   for (const auto& [how, detail] :
        {std::pair{"draw=wireframe", "no edge passes through it"}, std::pair{"draw=points", "no vertex lies in it"}}) {
     const Settings settings = settings_of({how, "backface-culling=off"});
-    const PixelStory story = inspect(cubes, {cubes.camera, 600, 600}, settings, {200, 320}, prepared, progress);
+    const PixelStory story = inspect(cubes, {cubes.camera, 600, 600}, settings, {200, 320});
     int reported = 0;
     for (const Event& event : story.events)
       if (const auto* reject = std::get_if<RejectEvent>(&event.data))
@@ -226,8 +214,7 @@ TEST(Rasterized, InspectorNamesWhatPassesBy) {
     EXPECT_EQ(story.triangles_elsewhere + static_cast<std::uint64_t>(reported), 24u) << how;
   }
   const Scene spheres = load_scene("cgfs/spheres");
-  const PixelStory story =
-      inspect(spheres, {spheres.camera, 600, 600}, settings_of({}), {300, 400}, prepared, progress);
+  const PixelStory story = inspect(spheres, {spheres.camera, 600, 600}, settings_of({}), {300, 400});
   int fragments = 0;
   for (const Event& event : story.events)
     if (const auto* fragment = std::get_if<FragmentEvent>(&event.data)) {

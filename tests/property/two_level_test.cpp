@@ -10,10 +10,10 @@
 #include "options/scene_settings.h"
 #include "raytrace/clear/intersector.h"
 #include "raytrace/clear/surface_point.h"
-#include "render/render.h"
 #include "scene/load.h"
 #include "support/closed_sphere.h"
 #include "support/random_scene.h"
+#include "support/render_once.h"
 #include "support/same_bits.h"
 #include "support/trials.h"
 
@@ -224,14 +224,12 @@ TEST(TwoLevels, LoseHitsWithoutWiderBoxes) {
 }
 
 void expect_one_picture(const Scene& scene, Settings settings, int width, int height) {
-  Prepared prepared;
-  Progress progress;
   RenderRequest request;
   request.channels = Channel::ids | Channel::depth | Channel::normal | Channel::uv;
   settings.accelerator = Accelerator::none;
-  const Frame all = render(scene, {scene.camera, width, height}, settings, request, prepared, progress);
+  const Frame all = render(scene, {scene.camera, width, height}, settings, request);
   settings.accelerator = Accelerator::two_level;
-  const Frame shared = render(scene, {scene.camera, width, height}, settings, request, prepared, progress);
+  const Frame shared = render(scene, {scene.camera, width, height}, settings, request);
   const auto same = [](const auto& a, const auto& b) {
     const auto from = a.pixels(), to = b.pixels();
     return from.size() == to.size() && std::memcmp(from.data(), to.data(), from.size_bytes()) == 0;

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "frame/display_frame.h"
-#include "render/render.h"
 #include "support/random_settings.h"
+#include "support/render_once.h"
 #include "support/simd_targets.h"
 
 namespace ps::test {
@@ -123,10 +123,8 @@ std::string picture_difference(const Frame& a, const Frame& b, const TileRect& r
 Frame drawn(const Subject& subject, const Settings& settings, const std::optional<TileRect>& region) {
   Prepared own;
   Progress progress;
-  RenderRequest request;
-  request.channels = subject.channels;
-  request.region = region;
-  return render(*subject.scene, subject.view, settings, request, subject.prepared ? *subject.prepared : own, progress);
+  return render(*subject.scene, subject.view, settings, request_for(subject.channels, region),
+                subject.prepared ? *subject.prepared : own, progress);
 }
 
 std::string differential_fault(const Subject& subject, std::mt19937& random, SeenPaths& seen, Targets targets) {

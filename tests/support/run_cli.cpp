@@ -1,5 +1,6 @@
 #include "support/run_cli.h"
 
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -33,6 +34,12 @@ ProgramResult run_cli(const std::vector<std::string>& arguments) {
   result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   result.out = content(folder.file("out"));
   result.err = content(folder.file("err"));
+  return result;
+}
+
+ProgramResult run_cli_well(const std::vector<std::string>& arguments) {
+  ProgramResult result = run_cli(arguments);
+  EXPECT_EQ(result.status, 0) << result.err;
   return result;
 }
 

@@ -13,6 +13,8 @@ struct ProgramResult {
 
 /// Runs pixelscope-cli with these arguments and waits for it.
 ProgramResult run_cli(const std::vector<std::string>& arguments);
+/// The same; fails the test unless the program succeeds.
+ProgramResult run_cli_well(const std::vector<std::string>& arguments);
 
 /// An empty folder of this test, removed with the object.
 class ScratchFolder {

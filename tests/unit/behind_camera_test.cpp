@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps {
 namespace behind_camera_test {
@@ -28,11 +28,7 @@ Frame draw(const Scene& scene, Clipping clipping) {
   Settings settings = settings_for(scene);
   settings.clipping = clipping;
   settings.backface_culling = false;
-  RenderRequest request;
-  request.channels = Channel::ids;
-  Prepared prepared;
-  Progress progress;
-  return render(scene, {scene.camera, size, size}, settings, request, prepared, progress);
+  return render(scene, {scene.camera, size, size}, settings, request_for(Channel::ids));
 }
 
 int covered(const Frame& frame) {
@@ -67,10 +63,8 @@ TEST(BehindTheCamera, TheStorySaysSo) {
   const Scene scene = load_scene("cgfs/behind");
   Settings settings = settings_for(scene);
   settings.clipping = Clipping::none;
-  Prepared prepared;
-  Progress progress;
   const View view{scene.camera, 600, 600};
-  const auto verdict = [&](Vec2i pixel) { return inspect(scene, view, settings, pixel, prepared, progress).verdict; };
+  const auto verdict = [&](Vec2i pixel) { return inspect(scene, view, settings, pixel).verdict; };
   EXPECT_NE(verdict({430, 230}).find("all its vertices lie behind the camera"), std::string::npos)
       << verdict({430, 230});
   EXPECT_EQ(verdict({180, 270}).find("behind the camera"), std::string::npos) << verdict({180, 270});

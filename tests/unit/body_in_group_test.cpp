@@ -6,11 +6,11 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "base/check.h"
-#include "render/render.h"
 #include "scene/rotation.h"
 #include "scene/scene_file.h"
 #include "scene/scene_writer.h"
+#include "support/refusal.h"
+#include "support/render_once.h"
 
 namespace ps {
 namespace body_in_group_test {
@@ -31,11 +31,8 @@ Frame drawn(const Scene& scene, Renderer renderer, Projection projection = Proje
   settings.precision = Precision::float64;
   settings.projection = projection;
   settings.backface_culling = true;
-  Prepared prepared;
-  Progress progress;
-  RenderRequest request;
-  request.channels = Channel::depth | Channel::normal | Channel::uv | Channel::ids;
-  return render(scene, {scene.camera, side, side}, settings, request, prepared, progress);
+  return render(scene, {scene.camera, side, side}, settings,
+                request_for(Channel::depth | Channel::normal | Channel::uv | Channel::ids));
 }
 
 const std::string ball = "sphere { center = (0.25, 0, 0) radius = 0.5 color = red }\n";
@@ -183,12 +180,7 @@ TEST(BodyInGroup, IsWrittenAndReadBack) {
 
 TEST(BodyInGroup, RefusesWhatItCannotPlace) {
   const auto message = [](const std::string& text) -> std::string {
-    try {
-      parsed_bodies(text);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return test::refusal_of([&] { parsed_bodies(text); });
   };
   EXPECT_NE(message("group { plane { point = (0, 0, 0) normal = (0, 1, 0) } }").find("'plane' inside 'group'"),
             std::string::npos);

@@ -8,8 +8,8 @@
 #include "inspect/space_model.h"
 #include "raytrace/base/accelerators.h"
 #include "record/event_fields.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace bounding_sphere_story_test {
 namespace {
@@ -23,9 +23,7 @@ Settings with_accelerator(Accelerator accelerator) {
 }
 
 PixelStory story_with(const Scene& scene, const Settings& settings) {
-  Prepared prepared;
-  Progress progress;
-  return inspect(scene, {scene.camera, 60, 60}, settings, {30, 35}, prepared, progress);
+  return inspect(scene, {scene.camera, 60, 60}, settings, {30, 35});
 }
 
 bool has_field(const std::vector<EventField>& fields, std::string_view key) {

@@ -6,6 +6,7 @@
 
 #include "engine/handout.h"
 #include "engine/lesson.h"
+#include "support/refusal.h"
 #include "support/run_cli.h"
 
 namespace bug_question_test {
@@ -33,12 +34,7 @@ std::string objection(const std::string& settings) {
 }
 
 std::string fault_of(const std::string& question) {
-  try {
-    lesson_with(sides, question);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "none";
+  return test::refusal_of([&] { lesson_with(sides, question); });
 }
 
 TEST(BugQuestion, TheLineIsFoundAndClicksAreJudgedByIt) {

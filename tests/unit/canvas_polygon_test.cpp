@@ -6,9 +6,10 @@
 #include "base/check.h"
 #include "options/scene_settings.h"
 #include "raster/clear/polygon_rows.h"
-#include "render/render.h"
 #include "scene/scene_file.h"
 #include "scene/scene_writer.h"
+#include "support/refusal.h"
+#include "support/render_once.h"
 
 namespace ps {
 namespace canvas_polygon_test {
@@ -21,11 +22,7 @@ Scene scene_of(const std::string& text) { return parse_scene("background = black
 Frame drawn(const Scene& scene) {
   Settings settings = settings_for(scene);
   settings.renderer = Renderer::rasterizer;
-  Prepared prepared;
-  Progress progress;
-  RenderRequest request;
-  request.channels = Channel::overdraw;
-  return render(scene, {scene.camera, polygon_side, polygon_side}, settings, request, prepared, progress);
+  return render(scene, {scene.camera, polygon_side, polygon_side}, settings, request_for(Channel::overdraw));
 }
 
 Frame drawn(const std::string& text) { return drawn(scene_of(text)); }
@@ -155,12 +152,8 @@ TEST(CanvasPolygon, IsOneItemThatIsWrittenAndReadBack) {
 
 TEST(CanvasPolygon, RefusesWhatIsNotConvex) {
   const auto refused = [](const std::string& vertices) {
-    try {
-      parse_scene("\npolygon { vertices = " + vertices + " }", "p.scene", ".");
-    } catch (const InputError& error) {
-      return error.place().line == 2 && error.place().column == 22;
-    }
-    return false;
+    return test::refusal_of([&] { parse_scene("\npolygon { vertices = " + vertices + " }", "p.scene", "."); })
+        .starts_with("p.scene:2:22: ");
   };
   EXPECT_TRUE(refused("[(0, 0), (10, 0), (5, 2), (0, 10)]")) << "a dent";
   EXPECT_TRUE(refused("[(0, 10), (6, -8), (-10, 3), (10, 3), (-6, -8)]")) << "a star, which goes round twice";

@@ -18,6 +18,7 @@ namespace canvas_rows_test {
 namespace {
 
 using test::run_cli;
+using test::run_cli_well;
 
 /// LAB 4 prints y, left and right of its triangle.
 constexpr std::array<std::array<int, 3>, 11> printed_rows{{{5, 10, 10},
@@ -124,15 +125,13 @@ TEST(CanvasRows, OfAPolygonAreThoseThatAreDrawn) {
     ++compared;
   }
   EXPECT_GT(compared, 10);
-  const auto text = run_cli({"inspect", "lab/polygons", "--pixel", "310,100", "--rows"});
-  ASSERT_EQ(text.status, 0) << text.err;
+  const auto text = run_cli_well({"inspect", "lab/polygons", "--pixel", "310,100", "--rows"});
   EXPECT_NE(text.out.find("canvas item 1, polygon with 4 vertices, vertices at pixels ("), std::string::npos);
   EXPECT_NE(text.out.find("colour of the left end"), std::string::npos) << text.out;
 }
 
 TEST(CanvasRows, CommandLine) {
-  const auto text = run_cli({"inspect", "lab/polygon-rows", "--pixel", "10,9", "--rows"});
-  ASSERT_EQ(text.status, 0) << text.err;
+  const auto text = run_cli_well({"inspect", "lab/polygon-rows", "--pixel", "10,9", "--rows"});
   EXPECT_NE(text.out.find("vertices at pixels (10, 5), (5, 10), (15, 15)"), std::string::npos) << text.out;
   EXPECT_NE(text.out.find("      9          6..12"), std::string::npos) << text.out;
   const auto json =

@@ -7,8 +7,8 @@
 #include "inspect/describe.h"
 #include "inspect/microscope/microscope.h"
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps {
 namespace canvas_story_test {
@@ -23,10 +23,7 @@ struct Square {
     settings.renderer = Renderer::rasterizer;
     settings.sample_position = SamplePosition::corner;
     settings.fill_rule = rule;
-    Prepared prepared;
-    Progress progress;
-    return inspect(scene, {scene.camera, scene.canvas_width, scene.canvas_height}, settings, {20, 19}, prepared,
-                   progress);
+    return inspect(scene, {scene.camera, scene.canvas_width, scene.canvas_height}, settings, {20, 19});
   }
 };
 

@@ -8,8 +8,8 @@
 #include "options/scene_settings.h"
 #include "raytrace/clear/tracer.h"
 #include "raytrace/renderer.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 #include "support/trials.h"
 
 namespace cgpp_scenes_test {
@@ -20,10 +20,8 @@ using namespace ps;
 Frame traced(const Scene& scene, const Settings& settings, Channel channels = Channel::none) {
   Prepared prepared;
   Progress progress;
-  RenderRequest request;
-  request.channels = channels;
   const View view{scene.camera, test::side(scene.canvas_width), test::side(scene.canvas_height)};
-  return render_traced(scene, view, settings, request, prepared, progress);
+  return render_traced(scene, view, settings, request_for(channels), prepared, progress);
 }
 
 TEST(Cgpp, OnePixelOfTheTriangleByHand) {

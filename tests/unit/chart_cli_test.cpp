@@ -9,6 +9,7 @@ namespace chart_cli_test {
 namespace {
 
 using ps::test::run_cli;
+using ps::test::run_cli_well;
 using ps::test::ScratchFolder;
 
 std::vector<std::string> chart_of(const std::string& out, const std::vector<std::string>& more = {}) {
@@ -22,8 +23,7 @@ std::vector<std::string> chart_of(const std::string& out, const std::vector<std:
 TEST(ChartCommand, WritesTheFilesAndItsErrorsAreThoseOfCompare) {
   const ScratchFolder scratch;
   const std::string out = scratch.file("chart");
-  const auto result = run_cli(chart_of(out));
-  ASSERT_EQ(result.status, 0) << result.err;
+  run_cli_well(chart_of(out));
   const auto json = nlohmann::json::parse(ps::read_whole_file(out + "/points.json"));
   ASSERT_EQ(json.at("points").size(), 4u);
   const auto compared = run_cli({"compare", out + "/reference.png", out + "/picture-2.png", "--json"});
@@ -37,8 +37,7 @@ TEST(ChartCommand, ShardsAreMerged) {
   const std::string first = scratch.file("1"), second = scratch.file("2"), out = scratch.file("all");
   ASSERT_EQ(run_cli(chart_of(first, {"--shard", "1/2"})).status, 0);
   ASSERT_EQ(run_cli(chart_of(second, {"--shard", "2/2"})).status, 0);
-  const auto merged = run_cli({"chart", "merge", first, second, "--out", out});
-  ASSERT_EQ(merged.status, 0) << merged.err;
+  run_cli_well({"chart", "merge", first, second, "--out", out});
   EXPECT_EQ(nlohmann::json::parse(ps::read_whole_file(out + "/points.json")).at("points").size(), 4u);
 }
 

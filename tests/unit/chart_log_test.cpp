@@ -14,6 +14,7 @@
 #include "scene/load.h"
 #include "study/chart_files.h"
 #include "study/missing_points.h"
+#include "support/refusal.h"
 #include "support/run_cli.h"
 
 namespace chart_log_test {
@@ -203,12 +204,7 @@ TEST(ChartLog, WithoutItsFirstLineALogIsRefusedAndStays) {
   const std::string before = read_whole_file(whole.log);
   for (const auto& attempt : {std::function<void()>([&] { whole.merged(); }),
                               std::function<void()>([&] { measure_logged(whole.scratch.path()); })}) {
-    try {
-      attempt();
-      ADD_FAILURE() << "expected an error";
-    } catch (const InputError& error) {
-      EXPECT_TRUE(log_says(error.what(), "runs.jsonl:1: ")) << error.what();
-    }
+    EXPECT_TRUE(log_says(test::refusal_of(attempt), "runs.jsonl:1: "));
     EXPECT_EQ(read_whole_file(whole.log), before);
   }
 }

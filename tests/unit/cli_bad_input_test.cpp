@@ -9,6 +9,7 @@ namespace cli_bad_input_test {
 namespace {
 
 using test::run_cli;
+using test::run_cli_well;
 using test::ScratchFolder;
 
 constexpr const char* good_scene = "sphere { center = (0, 0, 3) radius = 1 color = (255, 0, 0) }\n";
@@ -59,9 +60,8 @@ TEST(CliBadInput, Objects) {
   refused("too_low.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -4\n");
   refused("zero.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n");
   EXPECT_FALSE(std::filesystem::exists(out));
-  const auto fine = run_cli({"render", folder.write("relative.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n"),
-                             "--size", "8x8", "--out", out});
-  EXPECT_EQ(fine.status, 0) << fine.err;
+  run_cli_well({"render", folder.write("relative.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n"), "--size", "8x8",
+                "--out", out});
   EXPECT_TRUE(std::filesystem::exists(out));
 }
 

@@ -18,6 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::run_cli;
+using test::run_cli_well;
 using test::ScratchFolder;
 
 class StrangeFiles : public testing::Test {
@@ -109,8 +110,8 @@ TEST_F(StrangeFiles, NamesWithControlCharacters) { expect_refused("two\nlines.sc
 
 TEST_F(StrangeFiles, WarningsAreShownAndThePictureIsMade) {
   folder_.write("m.obj", "mtllib none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\nf 1 2 3\n");
-  const auto result = run_cli({"render", folder_.file("m.obj"), "--size", "8x8", "--out", folder_.file("picture.png")});
-  EXPECT_EQ(result.status, 0);
+  const auto result =
+      run_cli_well({"render", folder_.file("m.obj"), "--size", "8x8", "--out", folder_.file("picture.png")});
   EXPECT_NE(result.err.find("m.obj:1: the material file 'none.mtl' is missing."), std::string::npos) << result.err;
   EXPECT_NE(result.err.find("m.obj:5: lines are not drawn."), std::string::npos) << result.err;
   EXPECT_TRUE(fs::exists(folder_.file("picture.png")));

@@ -21,6 +21,7 @@ namespace {
 
 using nlohmann::json;
 using test::run_cli;
+using test::run_cli_well;
 using test::ScratchFolder;
 
 /// The story of a pixel and the picture must show the same levels.
@@ -32,8 +33,7 @@ void expect_inspect_equals_render(const std::string& scene, const std::vector<st
   for (const std::string& setting : settings) common.insert(common.end(), {"--set", setting});
   std::vector<std::string> render{"render", "--out", out};
   render.insert(render.end(), common.begin(), common.end());
-  const auto rendered = run_cli(render);
-  ASSERT_EQ(rendered.status, 0) << rendered.err;
+  run_cli_well(render);
   const Image<Rgb8> picture = load_levels(out);
   ASSERT_EQ(picture.width(), width);
   ASSERT_EQ(picture.height(), height);
@@ -44,8 +44,7 @@ void expect_inspect_equals_render(const std::string& scene, const std::vector<st
     std::vector<std::string> inspect{"inspect", "--json", "--pixel",
                                      std::to_string(pixel.x) + "," + std::to_string(pixel.y)};
     inspect.insert(inspect.end(), common.begin(), common.end());
-    const auto inspected = run_cli(inspect);
-    ASSERT_EQ(inspected.status, 0) << inspected.err;
+    const auto inspected = run_cli_well(inspect);
     const json story = json::parse(inspected.out);
     const Rgb8 level = picture.at(pixel.x, pixel.y);
     EXPECT_EQ(story["colour"]["display"], json({level.r, level.g, level.b})) << inspected.out;
@@ -74,8 +73,7 @@ TEST(Cli, InspectShowsWhatRenderStoresForFragments) {
 }
 
 TEST(Cli, OptionsListsTheWholeTable) {
-  const auto result = run_cli({"options", "--json"});
-  ASSERT_EQ(result.status, 0);
+  const auto result = run_cli_well({"options", "--json"});
   const json options = json::parse(result.out);
   ASSERT_EQ(options.size(), option_table().size());
   for (std::size_t i = 0; i < options.size(); ++i) {
@@ -93,8 +91,7 @@ TEST(Cli, ARegionAloneAndEveryView) {
     const std::string out = folder.file("picture.png");
     std::vector<std::string> arguments{"render", "cgfs/reflections", "--size", "60x40", "--out", out};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    const auto result = run_cli(arguments);
-    EXPECT_EQ(result.status, 0) << result.err;
+    run_cli_well(arguments);
     return load_levels(out);
   };
   const Image<Rgb8> all = picture({}), part = picture({"--region", "20,10,15,12"});
@@ -181,8 +178,7 @@ TEST(Cli, CompareCountsDifferences) {
   const json same = json::parse(run_cli({"compare", a, a, "--json"}).out);
   EXPECT_EQ(same["identical"], true);
   EXPECT_TRUE(same["psnr"].is_null());
-  const auto result = run_cli({"compare", a, b, "--json", "--diff", folder.file("d.png")});
-  ASSERT_EQ(result.status, 0) << result.err;
+  const auto result = run_cli_well({"compare", a, b, "--json", "--diff", folder.file("d.png")});
   const json different = json::parse(result.out);
   EXPECT_EQ(different["identical"], false);
   EXPECT_EQ(different["differing"], 1);
@@ -193,41 +189,35 @@ TEST(Cli, CompareCountsDifferences) {
 
 TEST(Cli, StabilityPrintsItsTable) {
   // Distance = epsilon times the length of the vector to the light; (1, 4, 4) has a length of the root of 33.
-  const auto printed = run_cli({"stability", "epsilon-unit"});
-  ASSERT_EQ(printed.status, 0) << printed.err;
+  const auto printed = run_cli_well({"stability", "epsilon-unit"});
   EXPECT_NE(printed.out.find("0.005745"), std::string::npos) << printed.out;
   const ScratchFolder folder;
-  const auto kept = run_cli({"stability", "epsilon-unit", "--out", folder.file("tables")});
-  ASSERT_EQ(kept.status, 0) << kept.err;
+  const auto kept = run_cli_well({"stability", "epsilon-unit", "--out", folder.file("tables")});
   EXPECT_EQ(kept.out, printed.out);
   EXPECT_TRUE(std::filesystem::exists(folder.file("tables/epsilon-unit.csv")));
 }
 
 TEST(Cli, StabilityPrintsADashWhereThereIsNoSuchMethod) {
-  const auto printed = run_cli({"stability", "nan-in-a-picture"});
-  ASSERT_EQ(printed.status, 0) << printed.err;
+  const auto printed = run_cli_well({"stability", "nan-in-a-picture"});
   EXPECT_NE(printed.out.find("            -            1  not finite"), std::string::npos) << printed.out;
 }
 
 TEST(Cli, NeedsPrintsItsAdviceAndHowItWasFound) {
-  const auto printed = run_cli({"needs", "cgfs/cubes", "--size", "40x30", "--repeats", "1"});
-  ASSERT_EQ(printed.status, 0) << printed.err;
+  const auto printed = run_cli_well({"needs", "cgfs/cubes", "--size", "40x30", "--repeats", "1"});
   for (const char* sentence : {"Refraction can be left out at no loss: no material of the scene is transparent.",
                                "advice     renderer=rasterizer\n", "  taken\n"})
     EXPECT_NE(printed.out.find(sentence), std::string::npos) << sentence << "\n" << printed.out;
 }
 
 TEST(Cli, HelpAndVersionSucceed) {
-  const auto version_result = run_cli({"--version"});
-  EXPECT_EQ(version_result.status, 0);
+  const auto version_result = run_cli_well({"--version"});
   EXPECT_NE(version_result.out.find(version()), std::string::npos);
   EXPECT_EQ(run_cli({"--help"}).status, 0);
   EXPECT_EQ(run_cli({"render", "--help"}).status, 0);
 }
 
 TEST(Cli, ScenesAreListed) {
-  const auto result = run_cli({"scenes"});
-  EXPECT_EQ(result.status, 0);
+  const auto result = run_cli_well({"scenes"});
   for (const char* name : {"cgfs/spheres", "cgfs/shadows", "cgfs/reflections", "cgfs/crates"})
     EXPECT_NE(result.out.find(name), std::string::npos) << name;
 }

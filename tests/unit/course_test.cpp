@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "engine/lesson.h"
+#include "support/refusal.h"
 
 namespace course_test {
 namespace {
@@ -28,17 +29,12 @@ TEST(Course, IsReadWithItsPartsAndPrerequisites) {
 }
 
 std::string refusal(const std::string& text) {
-  try {
-    parse_course(text, "course.md", folders);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return test::refusal_of([&] { parse_course(text, "course.md", folders); });
 }
 
 TEST(Course, FaultsAreNamedWithTheirLine) {
   const std::string start = "# A course\n## Start\n- first\n";
-  EXPECT_EQ(refusal(start), "accepted");
+  EXPECT_EQ(refusal(start), "");
   EXPECT_EQ(refusal(start + "- secont"),
             "course.md:4:1: found 'secont', which is not a lesson, expected a folder with a "
             "lesson.md; did you mean 'second'?");
@@ -66,7 +62,7 @@ TEST(Course, EarlierNamesLeadOn) {
   EXPECT_EQ(successor_in(course, {"first", 0}), std::nullopt);
   EXPECT_EQ(successor_in(course, {"", 0}), std::nullopt);
   const std::string start = "# A course\n## Start\n- first\n## Earlier names\n";
-  EXPECT_EQ(refusal(start), "accepted");
+  EXPECT_EQ(refusal(start), "");
   EXPECT_EQ(refusal(start + "- zeroth"), "course.md:5:1: found '- zeroth', expected '- earlier name, now lesson/STEP'");
   EXPECT_EQ(refusal(start + "- zeroth, now firsd").substr(0, 48), "course.md:5:1: found 'firsd', which is not a les");
   EXPECT_EQ(refusal(start + "- zeroth, now first/0").substr(0, 33), "course.md:5: found the step '0', ");
@@ -89,19 +85,12 @@ TEST(Course, ALessonAboutARendererThatIsNotThereIsLeftOut) {
   ASSERT_EQ(lessons_left_out().size(), 1u);
   EXPECT_EQ(lessons_left_out().front().name, "cgpp_15_7_the_hardware_pipeline");
   EXPECT_EQ(lessons_left_out().front().renderer, "hardware");
-  try {
-    load_lesson("cgpp_15_7_the_hardware_pipeline/2");
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "the lesson 'cgpp_15_7_the_hardware_pipeline' needs the renderer 'hardware', which this "
-                               "program was built without");
-  }
-  try {
-    parse_lesson("# A\nsource: b\nrenderer: none\n", "own", "own.md");
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_TRUE(std::string_view(error.what()).starts_with("own.md:3: ")) << error.what();
-  }
+  EXPECT_EQ(test::refusal_of([&] { load_lesson("cgpp_15_7_the_hardware_pipeline/2"); }),
+            "the lesson 'cgpp_15_7_the_hardware_pipeline' needs the renderer 'hardware', which this "
+            "program was built without");
+  EXPECT_TRUE(test::refusal_of([] {
+                parse_lesson("# A\nsource: b\nrenderer: none\n", "own", "own.md");
+              }).starts_with("own.md:3: "));
 }
 
 TEST(Course, HasEachLessonExactlyOnce) {

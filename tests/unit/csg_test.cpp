@@ -11,6 +11,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
+#include "support/refusal.h"
 
 namespace csg_test {
 namespace {
@@ -145,12 +146,7 @@ TEST(Csg, DeathStarsDishIsConcave) {
 
 TEST(Csg, BadTreesAreTurnedDown) {
   const auto fails = [](const std::string& text, const std::string& word) {
-    try {
-      parse_scene(text, "test.scene", {});
-      ADD_FAILURE() << text;
-    } catch (const InputError& error) {
-      EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
-    }
+    EXPECT_NE(test::refusal_of([&] { parse_scene(text, "test.scene", {}); }).find(word), std::string::npos);
   };
   fails("union { sphere { center = (0, 0, 0) radius = 1 } }", "two or more");
   fails("union { name = x\n radius = 3\n box { center = (0,0,0) size = 1 }\n box { center = (0,0,0) size = 1 } }",

@@ -8,10 +8,10 @@
 #include <optional>
 
 #include "base/check.h"
-#include "render/render.h"
 #include "scene/rotation.h"
 #include "scene/scene_file.h"
 #include "scene/scene_writer.h"
+#include "support/render_once.h"
 
 namespace ps {
 namespace csg_transform_test {
@@ -27,11 +27,8 @@ Frame seen(const Scene& scene, Precision precision, Accelerator accelerator = Ac
   Settings settings;
   settings.accelerator = accelerator;
   settings.precision = precision;
-  Prepared prepared;
-  Progress progress;
-  RenderRequest request;
-  request.channels = Channel::depth | Channel::normal | Channel::ids;
-  return render(scene, {scene.camera, placed_side, placed_side}, settings, request, prepared, progress);
+  return render(scene, {scene.camera, placed_side, placed_side}, settings,
+                request_for(Channel::depth | Channel::normal | Channel::ids));
 }
 
 /// Direction of the eye ray through a pixel's centre, with z = 1, so that t is the depth.

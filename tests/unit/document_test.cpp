@@ -8,6 +8,7 @@
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "scene/share_content.h"
+#include "support/refusal.h"
 #include "support/stories.h"
 
 namespace ps {
@@ -85,13 +86,8 @@ TEST(Document, AttachingASceneAppliesTheEdits) {
 TEST(SceneSettings, UnknownOnesNameTheScene) {
   Scene scene = test::book_spheres();
   scene.settings = {{"reflection-dept", "1"}};
-  try {
-    settings_for(scene);
-    FAIL() << "accepted an unknown setting";
-  } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(),
-                 "scene test/spheres: found unknown key 'reflection-dept' in settings, expected 'reflection-depth'");
-  }
+  EXPECT_EQ(test::refusal_of([&] { settings_for(scene); }),
+            "scene test/spheres: found unknown key 'reflection-dept' in settings, expected 'reflection-depth'");
 }
 
 TEST(SceneSettings, DifferenceTurnsOneIntoTheOther) {

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "inspect/describe.h"
-#include "render/render.h"
 #include "render/story/story_tree.h"
 #include "scene/scene_file.h"
+#include "support/render_once.h"
 
 namespace eye_in_glass_test {
 namespace {
@@ -15,9 +15,7 @@ namespace {
 using namespace ps;
 
 PixelStory story_in_glass(const Scene& scene, const Settings& settings, Vec2i pixel) {
-  Prepared prepared;
-  Progress progress;
-  return inspect(scene, View{scene.camera, 40, 30}, settings, pixel, prepared, progress);
+  return inspect(scene, View{scene.camera, 40, 30}, settings, pixel);
 }
 
 Settings near_settings(Precision precision) {
@@ -120,9 +118,7 @@ TEST(EyeInGlass, PicturesAgreeWithStories) {
   for (const Simd simd : {Simd::automatic, Simd::off}) {
     Settings settings = near_settings(Precision::float32);
     settings.simd = simd;
-    Prepared prepared;
-    Progress progress;
-    const Frame frame = render(scene, View{scene.camera, 40, 30}, settings, {}, prepared, progress);
+    const Frame frame = render(scene, View{scene.camera, 40, 30}, settings);
     int red = 0;
     for (int y = 1; y < 30; y += 7)
       for (int x = 1; x < 40; x += 9) {

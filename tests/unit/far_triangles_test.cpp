@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps {
 namespace far_triangles_test {
@@ -38,10 +38,8 @@ TEST(FarTriangles, AreCountedAsInThePicture) {
           const Frame fast = render(scene, view, settings);
           settings.simd = Simd::off;
           const Frame clear = render(scene, view, settings);
-          Prepared prepared;
-          Progress progress;
           for (const Vec2i pixel : {Vec2i{48, 30}, Vec2i{80, 41}}) {
-            const PixelStory story = inspect(scene, view, settings, pixel, prepared, progress);
+            const PixelStory story = inspect(scene, view, settings, pixel);
             for (const Counter counter : counted) {
               EXPECT_EQ(story.counters[counter], clear.counters[counter]) << look.scene << " " << counter_key(counter);
               EXPECT_EQ(fast.counters[counter], clear.counters[counter]) << look.scene << " " << counter_key(counter);

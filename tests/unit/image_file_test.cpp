@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <functional>
 #include <limits>
 #include <random>
 
 #include "base/atomic_file.h"
 #include "image/display.h"
 #include "support/golden.h"
+#include "support/refusal.h"
 
 namespace image_file_test {
 namespace {
@@ -26,15 +26,6 @@ Image<Rgb8> noise(int width, int height, unsigned seed) {
     p = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8), static_cast<std::uint8_t>(bits >> 16)};
   }
   return image;
-}
-
-std::string message_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const ps::InputError& error) {
-    return error.what();
-  }
-  return {};
 }
 
 TEST(ImageFile, RoundTripsOfLevelsAreExact) {
@@ -129,7 +120,7 @@ TEST(ImageFile, RefusesWhatTheDecoderWouldNot) {
   const std::string good = ps::read_whole_file("tests/unit/data/flat.jpg");
   const auto error = [&](const char* name, const std::string& bytes) {
     ps::write_file_atomically(folder / name, bytes);
-    return message_of([&] { ps::load_image(folder / name); });
+    return ps::test::refusal_of([&] { ps::load_image(folder / name); });
   };
   EXPECT_EQ(error("good.jpg", good), "");
   EXPECT_EQ(error("good.jpg", good + "after the end"), "");
@@ -153,12 +144,14 @@ TEST(ImageFile, RefusesWhatTheDecoderWouldNot) {
 TEST(ImageFile, NamesWhatIsWrong) {
   const auto folder = ps::fresh_output_folder("image-file-bad");
   const Image<Rgb8> image(2, 2);
-  const auto save = [&](const char* name) { return message_of([&] { ps::save_image(folder / name, image); }); };
-  const auto load = [&](const char* name) { return message_of([&] { ps::load_image(folder / name); }); };
+  const auto save = [&](const char* name) {
+    return ps::test::refusal_of([&] { ps::save_image(folder / name, image); });
+  };
+  const auto load = [&](const char* name) { return ps::test::refusal_of([&] { ps::load_image(folder / name); }); };
   EXPECT_NE(save("a.gif").find("\".gif\""), std::string::npos);
   EXPECT_NE(save("a").find("expected png or ppm"), std::string::npos);
   EXPECT_NE(save("none/a.png").find("does not exist"), std::string::npos);
-  EXPECT_NE(message_of([&] { ps::save_pfm(folder / "a.png", Image<Vec3f>(1, 1)); }).find("expected pfm"),
+  EXPECT_NE(ps::test::refusal_of([&] { ps::save_pfm(folder / "a.png", Image<Vec3f>(1, 1)); }).find("expected pfm"),
             std::string::npos);
   EXPECT_NE(load("none.png").find("no such file"), std::string::npos);
   ps::write_file_atomically(folder / "a.bmp", "BM and the rest");

@@ -10,8 +10,8 @@
 #include <fstream>
 #include <thread>
 
-#include "base/check.h"
 #include "base/read_file.h"
+#include "support/refusal.h"
 #include "support/run_cli.h"
 
 namespace launch_test {
@@ -200,27 +200,25 @@ TEST(Launch, ACancelledOneEndsWithAllThatItStarted) {
 }
 
 TEST(Launch, AProgramThatIsNotThereIsAMessage) {
-  try {
-    launch({.command = {"/nowhere/program"}, .environment = {}, .folder = "/", .input = {}, .limits = short_limits()});
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("/nowhere/program cannot be started"), std::string::npos) << error.what();
-  }
+  EXPECT_NE(
+      test::refusal_of([&] {
+        launch(
+            {.command = {"/nowhere/program"}, .environment = {}, .folder = "/", .input = {}, .limits = short_limits()});
+      }).find("/nowhere/program cannot be started"),
+      std::string::npos);
 }
 
 // As everything is that lies in a folder mounted with `noexec`.
 TEST(Launch, AFileThatIsNoProgramIsAMessage) {
   const test::ScratchFolder folder;
-  try {
-    launch({.command = {folder.write("text", "#")},
-            .environment = {},
-            .folder = "/",
-            .input = {},
-            .limits = short_limits()});
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("TMPDIR names another"), std::string::npos) << error.what();
-  }
+  EXPECT_NE(test::refusal_of([&] {
+              launch({.command = {folder.write("text", "#")},
+                      .environment = {},
+                      .folder = "/",
+                      .input = {},
+                      .limits = short_limits()});
+            }).find("TMPDIR names another"),
+            std::string::npos);
 }
 
 }  // namespace

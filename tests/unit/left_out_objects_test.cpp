@@ -7,9 +7,9 @@
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "render/left_out.h"
-#include "render/render.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
+#include "support/render_once.h"
 #include "support/run_cli.h"
 #include "support/trials.h"
 
@@ -18,9 +18,7 @@ namespace left_out_objects_test {
 namespace {
 
 PixelStory story_of(const Scene& scene, const Settings& settings, Vec2i pixel, int size) {
-  Prepared prepared;
-  Progress progress;
-  return inspect(scene, {scene.camera, size, size}, settings, pixel, prepared, progress);
+  return inspect(scene, {scene.camera, size, size}, settings, pixel);
 }
 
 /// A triangle and a ball, after a lens by CSG or without it.
@@ -48,9 +46,7 @@ TEST(LeftOutObjects, ChangeNothingForTheOthersAndAreReported) {
     const auto draw = [&](const Scene& scene, Shading shading) {
       Settings own = settings;
       own.shading = shading;
-      Prepared prepared;
-      Progress progress;
-      return render(scene, {scene.camera, 60, 60}, own, {}, prepared, progress);
+      return render(scene, {scene.camera, 60, 60}, own);
     };
     for (const Shading shading : {settings.shading, Shading::gouraud}) {
       const Frame a = draw(without, shading), b = draw(with, shading);
@@ -177,11 +173,9 @@ TEST(LeftOutObjects, EveryRemedyEndsWhatItIsOfferedFor) {
 TEST(LeftOutObjects, TheCommandLineNamesThemWithTheRemedy) {
   const test::ScratchFolder folder;
   const std::string out = folder.file("a.png"), stats = folder.file("a.json");
-  const auto result = test::run_cli({"render", "cgfs/lines", "--size", "8x8", "--out", out, "--stats", stats});
-  EXPECT_EQ(result.status, 0);
-  const auto rays = test::run_cli(
+  test::run_cli_well({"render", "cgfs/lines", "--size", "8x8", "--out", out, "--stats", stats});
+  const auto rays = test::run_cli_well(
       {"render", "cgfs/lines", "--size", "8x8", "--out", out, "--set", "renderer=ray-tracer", "--stats", stats});
-  EXPECT_EQ(rays.status, 0);
   EXPECT_NE(rays.err.find("Set renderer = rasterizer to see them."), std::string::npos) << rays.err;
   EXPECT_NE(read_text_file(stats, 1 << 20).find("The ray tracer leaves out lines"), std::string::npos);
 }

@@ -22,13 +22,13 @@ namespace {
 
 using namespace ps;
 using test::run_cli;
+using test::run_cli_well;
 using test::ScratchFolder;
 
 /// A folder with the template's lesson, in which `from` is replaced.
 struct OwnLesson {
   explicit OwnLesson(const std::string& from = {}, const std::string& to = {}) {
-    const auto made = run_cli({"lessons", "new", path()});
-    EXPECT_EQ(made.status, 0) << made.err;
+    run_cli_well({"lessons", "new", path()});
     std::string text = read_whole_file(path() + "/lesson.md");
     if (!from.empty()) {
       const auto at = text.find(from);
@@ -161,8 +161,7 @@ std::string from_base64(std::string_view text) {
 std::string handout(const OwnLesson& lesson, const std::string& how = {}) {
   std::vector<std::string> arguments{"lessons", "handout", lesson.path(), "--out", lesson.folder.file("page.html")};
   if (!how.empty()) arguments.push_back(how);
-  const auto made = run_cli(arguments);
-  EXPECT_EQ(made.status, 0) << made.err;
+  run_cli_well(arguments);
   return read_whole_file(lesson.folder.file("page.html"));
 }
 
@@ -218,8 +217,7 @@ TEST(LessonHandout, ItsPicturesAreThoseOfTheRenderCommand) {
   const auto at = page.find(before) + before.size();
   const auto made = lesson.folder.write("embedded.png", from_base64(page.substr(at, page.find('"', at) - at)));
   const std::string permalink = ps::permalink(lesson_document(load_lesson(lesson.path()), 0, Document{}));
-  const auto rendered = run_cli({"render", "--permalink", permalink, "--out", lesson.folder.file("rendered.png")});
-  ASSERT_EQ(rendered.status, 0) << rendered.err;
+  const auto rendered = run_cli_well({"render", "--permalink", permalink, "--out", lesson.folder.file("rendered.png")});
   EXPECT_EQ(load_levels(made), load_levels(lesson.folder.file("rendered.png")));
 }
 

@@ -11,8 +11,8 @@
 #include "engine/metric_words.h"
 #include "frame/display_frame.h"
 #include "image/metrics.h"
-#include "render/render.h"
 #include "study/stability/experiment.h"
+#include "support/render_once.h"
 
 namespace lesson_metric_test {
 namespace {
@@ -30,10 +30,7 @@ Document shadows() {
 }
 
 Frame rendered(const Document& document, Side side) {
-  Prepared prepared;
-  Progress progress;
-  return render(document.scene, view_of(document), side_of(document, side).settings, RenderRequest{}, prepared,
-                progress);
+  return render(document.scene, view_of(document), side_of(document, side).settings, RenderRequest{});
 }
 
 Image<Rgb8> levels(const Document& document, Side side) {
@@ -126,9 +123,7 @@ TEST(LessonMetric, ObjectsAreThoseOfTheStory) {
   Document document = shadows();
   for (const Vec2i pixel : {Vec2i{30, 35}, Vec2i{45, 25}, Vec2i{30, 0}}) {
     document.pixel = pixel;
-    Prepared prepared;
-    Progress progress;
-    const PixelStory story = inspect(document.scene, view_of(document), document.a.settings, pixel, prepared, progress);
+    const PixelStory story = inspect(document.scene, view_of(document), document.a.settings, pixel);
     const int winner = winner_of(story);
     EXPECT_EQ(value_of("object-a", document), winner);
     const std::string name =
@@ -146,11 +141,7 @@ TEST(LessonMetric, TrianglesAreThoseOfTheStory) {
   state.set_a = state.set_b = {"renderer=rasterizer"};
   state.parts = {{"size", "60x60"}, {"pixel", "20,30"}};
   const Document document = state_document(state, Document{});
-  Prepared prepared;
-  Progress progress;
-  RenderRequest request;
-  request.channels = Channel::ids;
-  const Frame frame = render(document.scene, view_of(document), document.b.settings, request, prepared, progress);
+  const Frame frame = render(document.scene, view_of(document), document.b.settings, request_for(Channel::ids));
   EXPECT_EQ(value_of("triangle-b", document), frame.ids.at(20, 30).triangle);
   EXPECT_EQ(value_of("triangle-a", document), frame.ids.at(20, 30).triangle);
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/lesson.h"
+#include "support/refusal.h"
 
 namespace lesson_question_test {
 namespace {
@@ -24,12 +25,7 @@ LessonQuestion question_of(const std::string& question) {
 }
 
 std::string error_of(const std::string& question) {
-  try {
-    question_of(question);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::refusal_of([&] { question_of(question); });
 }
 
 MeasuredAnswer measured(const LessonQuestion& question) {

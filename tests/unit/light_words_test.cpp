@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "inspect/describe.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 #include "support/stories.h"
 
 namespace ps {
@@ -66,9 +66,7 @@ TEST(LightWords, StoryAndSumAgreeOnWhatAddsNothing) {
   Settings settings;
   settings.shadows = Shadows::none;
   settings.precision = Precision::float64;
-  Prepared prepared;
-  Progress progress;
-  const PixelStory story = inspect(scene, view, settings, {300, 400}, prepared, progress);
+  const PixelStory story = inspect(scene, view, settings, {300, 400});
   const auto lit = std::find_if(story.events.begin(), story.events.end(), [](const Event& event) {
     const auto* light = std::get_if<LightEvent>(&event.data);
     return light && light->light == 1;
@@ -84,7 +82,7 @@ TEST(LightWords, StoryAndSumAgreeOnWhatAddsNothing) {
 
   // A lamp that is switched off faces the surface all the same.
   settings.light_shown = 2;
-  const PixelStory sun = inspect(scene, view, settings, {300, 400}, prepared, progress);
+  const PixelStory sun = inspect(scene, view, settings, {300, 400});
   const auto of_lamp = std::find_if(sun.ledger.begin(), sun.ledger.end(),
                                     [](const LedgerLine& line) { return line.term.rfind("light 1", 0) == 0; });
   ASSERT_NE(of_lamp, sun.ledger.end());

@@ -20,6 +20,7 @@ namespace linked_command_test {
 namespace {
 
 using test::run_cli;
+using test::run_cli_well;
 using test::ScratchFolder;
 
 const std::string linked_camera = "0.5,0.2,-1,1,0,0,0,1,0,0,0,1,1,1,1";
@@ -36,8 +37,7 @@ std::string linked_picture(const std::vector<std::string>& command, const Scratc
                            const std::string& name) {
   std::vector<std::string> arguments = command;
   arguments.insert(arguments.end(), {"--out", folder.file(name)});
-  const auto result = run_cli(arguments);
-  EXPECT_EQ(result.status, 0) << result.err;
+  run_cli_well(arguments);
   return read_whole_file(folder.file(name));
 }
 
@@ -97,8 +97,7 @@ TEST(LinkedCommand, StoriesAndStudies) {
   const std::string link = "scene=cgfs/reflections&size=60x40&pixel=20,30&a.reflection-depth=1&sweep=gamma%3d1,2";
   const std::vector<std::string> explicit_story{"inspect", "cgfs/reflections",  "--size", "60x40", "--pixel", "20,30",
                                                 "--set",   "reflection-depth=1"};
-  const auto story = run_cli(explicit_story);
-  ASSERT_EQ(story.status, 0) << story.err;
+  const auto story = run_cli_well(explicit_story);
   EXPECT_EQ(run_cli({"inspect", "--permalink", link}).out, story.out);
   const auto elsewhere = run_cli({"inspect", "--permalink", link, "--pixel", "1,2"});
   EXPECT_TRUE(elsewhere.out.starts_with("pixel (1, 2)")) << elsewhere.out;

@@ -4,14 +4,14 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "base/check.h"
 #include "frame/display_frame.h"
 #include "inspect/parting/parting.h"
 #include "math/has_nan.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/refusal.h"
+#include "support/render_once.h"
 #include "support/run_cli.h"
 #include "support/trials.h"
 #include "textbook/listing_source.h"
@@ -57,12 +57,7 @@ TEST(ListingBug, EveryListingHasOneAndNamesDiffer) {
 }
 
 std::string objection(const std::string& listing, const std::string& text) {
-  try {
-    patch_listing(listing, parse_bug(text, "bugs/some.bug"), "bugs/some.bug");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "none";
+  return test::refusal_of([&] { patch_listing(listing, parse_bug(text, "bugs/some.bug"), "bugs/some.bug"); });
 }
 
 TEST(ListingBug, OneLineOfTheListingIsReplaced) {
@@ -78,7 +73,7 @@ TEST(ListingBug, OneLineOfTheListingIsReplaced) {
 
 TEST(ListingBug, WhatIsNoPatchIsRefusedWithFileAndLine) {
   const std::string listing = "int f() {\n  return 1;\n}\nint g() {\n  return 1;\n}\n";
-  EXPECT_EQ(objection(listing, "Seen.\n- int f() {\n+ int f(int) {\n"), "none");
+  EXPECT_EQ(objection(listing, "Seen.\n- int f() {\n+ int f(int) {\n"), "");
   EXPECT_EQ(objection(listing, "Seen.\n- return 3;\n+ return 2;\n"),
             "bugs/some.bug:2:1: found a line that listing.cpp has not, expected one that it has once");
   EXPECT_EQ(objection(listing, "Seen.\n- return 1;\n+ return 2;\n"),
@@ -205,23 +200,21 @@ TEST(ListingBug, ThePartingLeavesTheLineToTheStudent) {
     Settings a = b;
     set_bug(a, bug.key);
     rasterized.renderer = Renderer::rasterizer;
-    Prepared prepared;
-    Progress progress;
     const Frame right = render(scene, view, b), wrong = render(scene, view, a);
     int looked_at = 0;
     for (int y = 0; y < 120 && looked_at < 5; ++y)
       for (int x = 0; x < 120 && looked_at < 5; ++x) {
         if (right.colour_double.at(x, y) == wrong.colour_double.at(x, y)) continue;
         ++looked_at;
-        const PixelStory of_a = inspect(scene, view, a, {x, y}, prepared, progress);
-        const PixelStory of_b = inspect(scene, view, b, {x, y}, prepared, progress);
+        const PixelStory of_a = inspect(scene, view, a, {x, y});
+        const PixelStory of_b = inspect(scene, view, b, {x, y});
         const Parting parting = find_parting(scene, {of_a, a}, {of_b, b}),
                       back = find_parting(scene, {of_b, b}, {of_a, a});
         EXPECT_EQ(parting.cause, PartingCause::planted_bug) << bug.key << ": " << parting.sentence;
         EXPECT_EQ(parting.sentence.find("The listings of A and B differ in one line: find it. A ends with"), 0u)
             << bug.key << ": " << parting.sentence;
         EXPECT_EQ(back.cause, PartingCause::planted_bug) << bug.key;
-        const PixelStory other = inspect(scene, view, rasterized, {x, y}, prepared, progress);
+        const PixelStory other = inspect(scene, view, rasterized, {x, y});
         if (other.linear == of_a.linear) continue;
         EXPECT_EQ(
             find_parting(scene, {of_a, a}, {other, rasterized}).sentence.find("The listing of A has one wrong line"),
@@ -234,9 +227,8 @@ TEST(ListingBug, ThePartingLeavesTheLineToTheStudent) {
 
 /// The values are beside the lines of the variant's own file, whose numbers are those of the listing.
 TEST(ListingBug, InspectShowsItsLinesAndValues) {
-  const auto shown = test::run_cli({"inspect", "cgfs/spheres", "--pixel", "300,430", "--set", "renderer=textbook",
-                                    "--set", "listing-bug=sunken-spheres"});
-  EXPECT_EQ(shown.status, 0) << shown.err;
+  const auto shown = test::run_cli_well({"inspect", "cgfs/spheres", "--pixel", "300,430", "--set", "renderer=textbook",
+                                         "--set", "listing-bug=sunken-spheres"});
   EXPECT_NE(shown.out.find("bugs/sunken_spheres.bug"), std::string::npos) << shown.out;
   const auto at = shown.out.find("  36    const double t2 = (-b - discriminant) / (2 * a);");
   ASSERT_NE(at, std::string::npos) << shown.out;

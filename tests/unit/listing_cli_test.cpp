@@ -9,11 +9,11 @@ namespace {
 
 using namespace ps;
 using test::run_cli;
+using test::run_cli_well;
 
 TEST(ListingCli, CopiesAndChecks) {
   test::OwnListings own;
-  const auto copied = run_cli({"listing", "copy", "cgfs_06_lines"});
-  ASSERT_EQ(copied.status, 0) << copied.err;
+  const auto copied = run_cli_well({"listing", "copy", "cgfs_06_lines"});
   const std::string file = copied.out.substr(0, copied.out.size() - 1);
   const auto checked = run_cli({"listing", "run", file, "--pixel", "300,299"});
   EXPECT_EQ(checked.status, 0) << checked.out << checked.err;
@@ -32,8 +32,7 @@ TEST(ListingCli, CopiesAndChecks) {
 /// The lesson begins with spheres, of which this listing shows nothing: all pictures would be alike.
 TEST(ListingCli, TakesASceneThatTheListingShows) {
   test::OwnListings own;
-  const auto copied = run_cli({"listing", "copy", "cgfs_15_shadows_in_the_rasterizer", "--without", "in_shadow"});
-  ASSERT_EQ(copied.status, 0) << copied.err;
+  const auto copied = run_cli_well({"listing", "copy", "cgfs_15_shadows_in_the_rasterizer", "--without", "in_shadow"});
   const auto checked = run_cli({"listing", "run", copied.out.substr(0, copied.out.size() - 1)});
   EXPECT_EQ(checked.status, 1);
   EXPECT_NE(checked.out.find(" of 240000 pixels differ"), std::string::npos) << checked.out;

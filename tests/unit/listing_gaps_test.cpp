@@ -9,8 +9,8 @@
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "render/left_out.h"
-#include "render/render.h"
 #include "scene/scene_file.h"
+#include "support/render_once.h"
 
 namespace ps {
 namespace listing_gaps_test {
@@ -98,9 +98,7 @@ TEST(ListingGaps, AreReportedByEveryListingThatHasThem) {
         EXPECT_EQ(reports(scene, listed, trait.words), !shown) << words;
         EXPECT_FALSE(reports(plain, listed, trait.words)) << words;
         (shown ? drawn : gaps) += 1;
-        Prepared prepared;
-        Progress progress;
-        const PixelStory story = inspect(scene, {scene.camera, 40, 40}, listed, {20, 20}, prepared, progress);
+        const PixelStory story = inspect(scene, {scene.camera, 40, 40}, listed, {20, 20});
         EXPECT_EQ(story.verdict.find(trait.words) != std::string::npos, !shown) << words << ": " << story.verdict;
       }
     }

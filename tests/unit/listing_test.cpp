@@ -8,8 +8,8 @@
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "render/left_out.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 #include "support/run_cli.h"
 #include "support/trials.h"
 #include "textbook/book_math.h"
@@ -144,11 +144,9 @@ TEST(Listing, TraceGivesTheColourOfThePicture) {
     const Settings settings = textbook(scene);
     const View view{scene.camera, 120, 100};
     const Frame frame = render(scene, view, settings);
-    Prepared prepared;
-    Progress progress;
     for (int y = 3; y < 100; y += 16)
       for (int x = 1; x < 120; x += 13 * static_cast<int>(test::list_step)) {
-        const PixelStory story = inspect(scene, view, settings, {x, y}, prepared, progress);
+        const PixelStory story = inspect(scene, view, settings, {x, y});
         EXPECT_EQ(story.linear, frame.colour_double.at(x, y)) << name << " " << x << "," << y;
         EXPECT_FALSE(story.verdict.empty());
       }
@@ -208,12 +206,10 @@ TEST(Listing, EventsEndInItsColour) {
     const Scene scene = load_scene(name);
     const Settings settings = textbook(scene);
     const View view{scene.camera, 120, 100};
-    Prepared prepared;
-    Progress progress;
     int compared = 0;
     for (int y = 2; y < 100; y += 17)
       for (int x = 4; x < 120; x += columns) {
-        const PixelStory story = inspect(scene, view, settings, {x, y}, prepared, progress);
+        const PixelStory story = inspect(scene, view, settings, {x, y});
         if (story.events.size() < 2) continue;  // nothing reached the pixel
         ++compared;
         EXPECT_LT(length(last_colour(story) - story.linear), 1e-9) << name << " " << x << "," << y;
@@ -241,9 +237,7 @@ TEST(Listing, LightAddsUp) {
     for (int x = 0; x < view.width; ++x) different += listed.at(x, y) == drawn.at(x, y) ? 0 : 1;
   EXPECT_EQ(different, 0);
   settings.renderer = Renderer::rasterizer;
-  Prepared prepared;
-  Progress progress;
-  const PixelStory story = inspect(scene, view, settings, {20, 19}, prepared, progress);
+  const PixelStory story = inspect(scene, view, settings, {20, 19});
   EXPECT_NE(story.verdict.find("its colour is added to 1 earlier colour"), std::string::npos) << story.verdict;
 }
 
@@ -256,13 +250,11 @@ TEST(Listing, EventsAreThoseOfTheRayTracer) {
   settings.self_hit = SelfHit::epsilon;
   settings.sphere_test = SphereTest::quadratic;
   const View view{scene.camera, scene.canvas_width, scene.canvas_height};
-  Prepared prepared;
-  Progress progress;
   for (const Vec2i pixel : {Vec2i{300, 420}, Vec2i{180, 330}, Vec2i{430, 320}, Vec2i{300, 550}}) {
     settings.renderer = Renderer::ray_tracer;
-    const PixelStory traced = inspect(scene, view, settings, pixel, prepared, progress);
+    const PixelStory traced = inspect(scene, view, settings, pixel);
     settings.renderer = Renderer::textbook;
-    const PixelStory listed = inspect(scene, view, settings, pixel, prepared, progress);
+    const PixelStory listed = inspect(scene, view, settings, pixel);
     std::vector<HitEvent> hits_traced, hits_listed;
     std::vector<LightEvent> lights_traced, lights_listed;
     const auto gather = [](const PixelStory& story, auto& hits, auto& lights) {
@@ -480,13 +472,11 @@ TEST(Listing, EveryOptionThatItReadsActs) {
 }
 
 TEST(Listing, CommandLinePrintsLinesWithValues) {
-  const auto text = test::run_cli({"inspect", "cgfs/spheres", "--pixel", "300,299", "--set", "renderer=textbook"});
-  ASSERT_EQ(text.status, 0) << text.err;
+  const auto text = test::run_cli_well({"inspect", "cgfs/spheres", "--pixel", "300,299", "--set", "renderer=textbook"});
   EXPECT_NE(text.out.find("discriminant = 0"), std::string::npos) << text.out;
   EXPECT_NE(text.out.find("[sphere red: 1 of 4]"), std::string::npos) << text.out;
   const auto json =
-      test::run_cli({"inspect", "cgfs/spheres", "--pixel", "300,299", "--set", "renderer=textbook", "--json"});
-  ASSERT_EQ(json.status, 0) << json.err;
+      test::run_cli_well({"inspect", "cgfs/spheres", "--pixel", "300,299", "--set", "renderer=textbook", "--json"});
   const auto story = nlohmann::json::parse(json.out);
   EXPECT_EQ(story.at("renderer"), "textbook");
   EXPECT_EQ(story.at("listing").at("folder"), "cgfs_02_basic_ray_tracing");

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/refusal.h"
+
 namespace ps {
 namespace markdown_test {
 namespace {
@@ -10,12 +12,7 @@ namespace {
 StepText read(const std::string& text) { return read_markdown(text, "lesson.md", 10); }
 
 std::string error_of(const std::string& text) {
-  try {
-    read(text);
-    return "no error";
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  return test::refusal_of([&] { read(text); });
 }
 
 TextSpan plain(const std::string& text) { return {text, TextStyle::plain, {}}; }

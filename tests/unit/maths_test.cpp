@@ -12,6 +12,7 @@
 #include "engine/maths_specimen.h"
 #include "engine/maths_writers.h"
 #include "support/golden.h"
+#include "support/refusal.h"
 #include "support/well_formed.h"
 
 namespace ps {
@@ -23,12 +24,7 @@ Formula read(std::string_view notation, FormulaForm form = FormulaForm::in_text)
 }
 
 std::string error_of(std::string_view notation) {
-  try {
-    read(notation);
-    return "no error";
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  return test::refusal_of([&] { read(notation); });
 }
 
 std::string plain(std::string_view notation) { return plain_maths(read(notation)); }

@@ -13,8 +13,8 @@
 #include "inspect/microscope/enlarge.h"
 #include "inspect/microscope/micro_svg.h"
 #include "inspect/microscope/window_clip.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps {
 namespace microscope_test {
@@ -74,11 +74,9 @@ TEST(Microscope, RayThroughTheMiddleIsThePixelsOwn) {
 TEST(Microscope, EnlargedPixelLooksTheSameToBothRenderers) {
   Bench traced("cgfs/crates", Renderer::ray_tracer), drawn("cgfs/crates", Renderer::rasterizer);
   const Vec2i pixel = traced.scene.start_pixel / 3;  // of 600 x 600
-  RenderRequest request;
-  request.channels = Channel::ids;
   const auto ids = [&](Bench& setup) {
     const EnlargedView wide = enlarge(setup.view, setup.settings, Vec2d(pixel) - 20.0, 40, 80);
-    return render(setup.scene, wide.view, wide.settings, request, setup.prepared, setup.progress).ids;
+    return render(setup.scene, wide.view, wide.settings, request_for(Channel::ids), setup.prepared, setup.progress).ids;
   };
   const Image<PixelId> a = ids(traced), b = ids(drawn);
   int different = 0, seen = 0;

@@ -7,9 +7,9 @@
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "render/left_out.h"
-#include "render/render.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
+#include "support/render_once.h"
 #include "support/run_cli.h"
 
 namespace ps {
@@ -31,9 +31,7 @@ Settings with(std::initializer_list<std::string> assignments) {
 
 /// The verdict of a pixel, and the words below the picture.
 std::string said(const Scene& scene, const Settings& settings) {
-  Prepared prepared;
-  Progress progress;
-  std::string all = inspect(scene, {scene.camera, 40, 40}, settings, {20, 20}, prepared, progress).verdict;
+  std::string all = inspect(scene, {scene.camera, 40, 40}, settings, {20, 20}).verdict;
   for (const LeftOut& one : left_out(scene_traits(scene), settings)) all += "\n" + one.notice;
   return all;
 }

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/render.h"
 #include "scene/load.h"
 #include "scene/world.h"
+#include "support/render_once.h"
 
 namespace ps {
 namespace normal_transform_test {
@@ -48,12 +48,10 @@ TEST(NormalTransform, ShowsOnlyOnBallsThatAreNotScaledAlike) {
   settings.renderer = Renderer::rasterizer;
   RenderRequest request;
   request.channels = Channel::ids;
-  Prepared prepared;
-  Progress progress;
   const View view{scene.camera, 200, 200};
-  const Frame right = render(scene, view, settings, request, prepared, progress);
+  const Frame right = render(scene, view, settings, request);
   settings.normal_transform = NormalTransform::model;
-  const Frame wrong = render(scene, view, settings, request, prepared, progress);
+  const Frame wrong = render(scene, view, settings, request);
   std::array<double, 3> largest{};
   for (int y = 0; y < 200; ++y)
     for (int x = 0; x < 200; ++x) {

@@ -13,7 +13,7 @@ namespace ps {
 namespace odd_picture_test {
 namespace {
 
-using test::run_cli;
+using test::run_cli_well;
 using test::ScratchFolder;
 
 std::string whole_jpeg() { return read_whole_file("tests/unit/data/flat.jpg"); }
@@ -158,12 +158,10 @@ TEST(OddPictures, NotesReachScenesModelsAndTheCommandLine) {
   };
   expect_one(load_scene(scene).warnings, "photo.png' is read as JPEG, as its content says.");
   expect_one(load_scene(model).warnings, "a.mtl:2: the texture 'photo.png' is read as JPEG, as its content says.");
-  const auto said = run_cli({"render", scene, "--size", "4x4", "--out", folder.file("out.ppm")});
-  EXPECT_EQ(said.status, 0);
+  const auto said = run_cli_well({"render", scene, "--size", "4x4", "--out", folder.file("out.ppm")});
   EXPECT_NE(said.err.find("a.scene:1: the picture '"), std::string::npos) << said.err;
-  const auto edited = run_cli({"render", "cgfs/crates", "--size", "4x4", "--out", folder.file("out.ppm"), "--edit",
-                               "object.0.texture=\"" + folder.file("photo.png") + "\""});
-  EXPECT_EQ(edited.status, 0) << edited.err;
+  const auto edited = run_cli_well({"render", "cgfs/crates", "--size", "4x4", "--out", folder.file("out.ppm"), "--edit",
+                                    "object.0.texture=\"" + folder.file("photo.png") + "\""});
   EXPECT_NE(edited.err.find("is read as JPEG"), std::string::npos) << edited.err;
 }
 

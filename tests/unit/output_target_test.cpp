@@ -14,6 +14,7 @@
 #include "base/atomic_file.h"
 #include "base/check.h"
 #include "base/output_target.h"
+#include "support/refusal.h"
 #include "support/run_cli.h"
 
 namespace ps {
@@ -22,6 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::run_cli;
+using test::run_cli_well;
 using test::ScratchFolder;
 
 constexpr unsigned null_device = 3, full_device = 7;  // minor numbers of the memory devices, whose major is 1
@@ -44,12 +46,7 @@ std::optional<std::string> own_device(const ScratchFolder& folder, const std::st
 bool is_device(const std::string& path) { return fs::is_character_file(fs::status(path)); }
 
 std::string writing_error(const fs::path& path, std::string_view bytes = "new") {
-  try {
-    write_file_atomically(path, bytes);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { write_file_atomically(path, bytes); });
 }
 
 /// What a program that reads a pipe gets, until all writers have gone.
@@ -147,8 +144,7 @@ TEST(OutputTarget, AReaderThatGoesAwayIsAnError) {
 TEST(OutputTarget, StandardOutputByItsName) {
   const auto printed = run_cli({"inspect", "cgfs/lens", "--size", "9x9", "--pixel", "3,3", "--json"});
   const auto named =
-      run_cli({"inspect", "cgfs/lens", "--size", "9x9", "--pixel", "3,3", "--json", "--out", "/dev/stdout"});
-  ASSERT_EQ(named.status, 0) << named.err;
+      run_cli_well({"inspect", "cgfs/lens", "--size", "9x9", "--pixel", "3,3", "--json", "--out", "/dev/stdout"});
   EXPECT_FALSE(named.out.empty());
   EXPECT_EQ(named.out, printed.out) << "run_cli() gives the program a regular file, which must not be replaced";
 }

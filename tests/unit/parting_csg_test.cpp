@@ -4,8 +4,8 @@
 #include "inspect/parting/parting.h"
 #include "options/scene_settings.h"
 #include "render/left_out.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps {
 namespace parting_csg_test {
@@ -18,10 +18,8 @@ TEST(PartingCsg, TheRasterizerDoesNotDrawIt) {
   traced.renderer = Renderer::ray_tracer;
   drawn.renderer = Renderer::rasterizer;
   ASSERT_FALSE(left_out(scene_traits(scene), drawn).empty());
-  Prepared prepared;
-  Progress progress;
-  const PixelStory a = inspect(scene, view, traced, {300, 300}, prepared, progress);
-  const PixelStory b = inspect(scene, view, drawn, {300, 300}, prepared, progress);
+  const PixelStory a = inspect(scene, view, traced, {300, 300});
+  const PixelStory b = inspect(scene, view, drawn, {300, 300});
   const Parting parting = find_parting(scene, {a, traced}, {b, drawn});
   EXPECT_NE(parting.sentence.find("leave out CSG objects"), std::string::npos) << parting.sentence;
   EXPECT_EQ(parting.sentence.find("flat triangles"), std::string::npos) << parting.sentence;

@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "raster/setup/tessellate_solid.h"
-#include "render/render.h"
 #include "scene/generate/teapot.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps::raster {
 namespace patch_tessellation_test {
@@ -120,11 +120,7 @@ TEST(PatchTessellation, DrawsTheSameTeapotWithFewerTriangles) {
     settings.near = 0.1;
     settings.patches = patches;
     settings.tessellation = error;
-    RenderRequest request;
-    request.channels = Channel::ids;
-    Prepared prepared;
-    Progress progress;
-    return render(scene, View{scene.camera, 400, 250}, settings, request, prepared, progress);
+    return render(scene, View{scene.camera, 400, 250}, settings, request_for(Channel::ids));
   };
   const Frame fine = draw(Patches::projected_error, 0.05), medium = draw(Patches::projected_error, 0.5);
   const Frame coarse = draw(Patches::projected_error, 30), made = draw(Patches::as_made, 0.5);

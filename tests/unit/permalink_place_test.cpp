@@ -79,8 +79,7 @@ TEST(PermalinkPlace, APictureOpensFromAnotherFolder) {
   const ScratchFolder folder;
   folder.write("a.scene", small_scene);
   save_with(folder.path() / "p.png", "scene=a.scene&size=4x4");
-  const auto result = test::run_cli({"render", "--permalink", folder.file("p.png"), "--out", folder.file("again.ppm")});
-  EXPECT_EQ(result.status, 0) << result.err;
+  test::run_cli_well({"render", "--permalink", folder.file("p.png"), "--out", folder.file("again.ppm")});
 }
 
 }  // namespace

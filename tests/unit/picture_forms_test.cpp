@@ -19,6 +19,7 @@ namespace picture_forms_test {
 namespace {
 
 using test::run_cli;
+using test::run_cli_well;
 using test::ScratchFolder;
 
 /// The numbers of an ASCII PPM file behind its magic number, comments left out.
@@ -71,8 +72,7 @@ TEST(PictureForms, ChannelsArePfmNumbers) {
   const std::string scene = folder.write("wall.scene", wall_scene), out = folder.file("channel.pfm");
   for (const char* renderer : {"renderer=ray-tracer", "renderer=rasterizer"}) {
     const auto channel = [&](const std::string& show, const std::string& magic) {
-      const auto result = run_cli({"render", scene, "--set", renderer, "--show", show, "--out", out});
-      EXPECT_EQ(result.status, 0) << result.err;
+      run_cli_well({"render", scene, "--set", renderer, "--show", show, "--out", out});
       EXPECT_EQ(read_whole_file(out).substr(0, 3), magic + "\n") << show;
       return load_image(out);
     };

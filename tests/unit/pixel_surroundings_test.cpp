@@ -9,9 +9,9 @@
 #include "obj_corpus.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
+#include "support/render_once.h"
 
 namespace pixel_surroundings_test {
 namespace {
@@ -45,11 +45,7 @@ std::optional<PixelSurroundings> around(const Scene& scene, std::initializer_lis
 double nearest_by_hand(const Scene& scene, Vec2i from) {
   Settings settings = settings_for(scene);
   settings.renderer = Renderer::ray_tracer;
-  RenderRequest request;
-  request.channels = Channel::ids;
-  Prepared prepared;
-  Progress progress;
-  const Frame frame = render(scene, {scene.camera, side, side}, settings, request, prepared, progress);
+  const Frame frame = render(scene, {scene.camera, side, side}, settings, request_for(Channel::ids));
   double least = 1e9;
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x)
@@ -93,10 +89,8 @@ TEST(PixelSurroundings, ThereAreNoneWhereAnEdgeIsSeen) {
 
 /// The whole picture with what is looked for around pixels.
 Frame ids_and_shadows(const Scene& scene, const View& view, const Settings& settings, Prepared& prepared) {
-  RenderRequest request;
-  request.channels = Channel::ids | Channel::shadow;
   Progress progress;
-  return render(scene, view, settings, request, prepared, progress);
+  return render(scene, view, settings, request_for(Channel::ids | Channel::shadow), prepared, progress);
 }
 
 /// As the picture's channel has it.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "image/display.h"
+#include "support/refusal.h"
 
 namespace pnm_test {
 namespace {
@@ -11,21 +12,11 @@ using ps::Rgb8;
 using ps::Vec3f;
 
 std::string pnm_error(const std::string& bytes) {
-  try {
-    ps::read_pnm(bytes, "a.ppm");
-  } catch (const ps::InputError& error) {
-    return error.what();
-  }
-  return {};
+  return ps::test::refusal_of([&] { ps::read_pnm(bytes, "a.ppm"); });
 }
 
 std::string pfm_error(const std::string& bytes) {
-  try {
-    ps::read_pfm(bytes, "a.pfm");
-  } catch (const ps::InputError& error) {
-    return error.what();
-  }
-  return {};
+  return ps::test::refusal_of([&] { ps::read_pfm(bytes, "a.pfm"); });
 }
 
 TEST(Pnm, ReadsAllFourKinds) {

@@ -7,8 +7,8 @@
 #include "engine/lesson.h"
 #include "inspect/vertex_chain.h"
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps {
 namespace predict_test {
@@ -17,9 +17,7 @@ namespace {
 PixelStory story_of(const Scene& scene, Renderer renderer, Vec2i pixel) {
   Settings settings = settings_for(scene);
   settings.renderer = renderer;
-  Prepared prepared;
-  Progress progress;
-  return inspect(scene, {scene.camera, 600, 600}, settings, pixel, prepared, progress);
+  return inspect(scene, {scene.camera, 600, 600}, settings, pixel);
 }
 
 TEST(Predict, ColoursAreJudgedByTheirWorstChannel) {

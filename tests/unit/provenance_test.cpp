@@ -19,6 +19,7 @@ namespace {
 
 using nlohmann::json;
 using test::run_cli;
+using test::run_cli_well;
 using test::ScratchFolder;
 
 const std::vector<std::string>& traced_lens() {
@@ -103,8 +104,7 @@ TEST(Provenance, StoriesAndDrawings) {
            {"--json"}, {"--csv"}, {"--markdown"}, {"--svg", "space"}, {"--svg", "microscope"}}) {
     std::vector<std::string> more{"--pixel", "4,4"};
     more.insert(more.end(), form.begin(), form.end());
-    const auto result = run_cli(lens_command("inspect", more));
-    ASSERT_EQ(result.status, 0) << result.err;
+    const auto result = run_cli_well(lens_command("inspect", more));
     expect_everything(result.out, form.back());
     EXPECT_NE(result.out.find("scene=cgfs/lens"), std::string::npos) << "the permalink, " << form.back();
   }

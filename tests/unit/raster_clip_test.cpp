@@ -1,4 +1,5 @@
 #include "raster/base/clip.h"
+#include "support/render_once.h"
 
 #include <cmath>
 #include <random>
@@ -6,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "raster/setup/draw_list.h"
-#include "render/render.h"
 
 namespace ps::raster {
 namespace raster_clip_test {
@@ -179,13 +179,9 @@ TEST(Clip, AttributesSurviveTheCut) {
   settings.renderer = Renderer::rasterizer;
   settings.backface_culling = false;
   settings.lighting = false;
-  RenderRequest request;
-  request.channels = Channel::barycentric | Channel::depth;
-  Prepared prepared;
-  Progress progress;
   const auto make = [&](Clipping clipping) {
     settings.clipping = clipping;
-    return render(scene, {scene.camera, 200, 200}, settings, request, prepared, progress);
+    return render(scene, {scene.camera, 200, 200}, settings, request_for(Channel::barycentric | Channel::depth));
   };
   const Frame full = make(Clipping::full), none = make(Clipping::none);
   EXPECT_EQ(full.counters[Counter::triangles_split], 1u);

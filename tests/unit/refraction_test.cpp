@@ -7,11 +7,11 @@
 #include <numbers>
 
 #include "raytrace/clear/tracer.h"
-#include "render/render.h"
 #include "render/story/story_tree.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
 #include "shade/fresnel.h"
+#include "support/render_once.h"
 
 namespace refraction_test {
 namespace {
@@ -51,9 +51,7 @@ TEST(Refraction, FresnelAtNormalAndBrewsterAngleAndGrazing) {
 }
 
 PixelStory story_at(const Scene& scene, const Settings& settings, int width, int height, Vec2i pixel) {
-  Prepared prepared;
-  Progress progress;
-  return inspect(scene, View{scene.camera, width, height}, settings, pixel, prepared, progress);
+  return inspect(scene, View{scene.camera, width, height}, settings, pixel);
 }
 
 /// The sum of the lines of one level, and that each line is the sum of those below it.

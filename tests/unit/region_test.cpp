@@ -5,8 +5,8 @@
 
 #include "frame/region.h"
 #include "render/channel_picture.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace region_test {
 namespace {
@@ -15,9 +15,7 @@ using namespace ps;
 
 Frame rendered(const Scene& scene, const Settings& settings, const RenderRequest& request, int width = 150,
                int height = 110) {
-  Prepared prepared;
-  Progress progress;
-  return render(scene, View{scene.camera, width, height}, settings, request, prepared, progress);
+  return render(scene, View{scene.camera, width, height}, settings, request);
 }
 
 RenderRequest with(Channel channels, std::optional<TileRect> region = {}) {

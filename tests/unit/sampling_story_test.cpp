@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "frame/display_frame.h"
-#include "render/render.h"
 #include "render/story/story_tree.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 #include "support/trials.h"
 
 namespace sampling_story_test {
@@ -15,17 +15,11 @@ using namespace ps;
 constexpr int width = 75, height = 75;
 
 Frame sampled(const Scene& scene, const Settings& settings) {
-  Prepared prepared;
-  Progress progress;
-  RenderRequest request;
-  request.channels = Channel::samples;
-  return render(scene, View{scene.camera, width, height}, settings, request, prepared, progress);
+  return render(scene, View{scene.camera, width, height}, settings, request_for(Channel::samples));
 }
 
 PixelStory inspected(const Scene& scene, const Settings& settings, Vec2i pixel) {
-  Prepared prepared;
-  Progress progress;
-  return inspect(scene, View{scene.camera, width, height}, settings, pixel, prepared, progress);
+  return inspect(scene, View{scene.camera, width, height}, settings, pixel);
 }
 
 Vec3d top_level_sum(const PixelStory& story) {
@@ -164,9 +158,7 @@ TEST(SamplingStory, ShadowCacheIsReplayedForChosenPixels) {
   Prepared prepared;
   Progress progress;
   const View view{scene.camera, 20, 20};
-  RenderRequest request;
-  request.channels = Channel::tests | Channel::samples;
-  const Frame frame = render(scene, view, settings, request, prepared, progress);
+  const Frame frame = render(scene, view, settings, request_for(Channel::tests | Channel::samples), prepared, progress);
   int subdivided = 0;
   constexpr int columns = static_cast<int>(test::list_step);  // each story draws all pixels before its own again
   for (int y = 0; y < 20; ++y)

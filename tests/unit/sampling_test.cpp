@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "raytrace/renderer.h"
-#include "render/render.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
+#include "support/render_once.h"
 #include "support/trials.h"
 
 namespace sampling_test {
@@ -21,10 +21,8 @@ Frame traced(const Scene& scene, const Settings& settings, int width, int height
              std::optional<TileRect> region = {}) {
   Prepared prepared;
   Progress progress;
-  RenderRequest request;
-  request.channels = channels;
-  request.region = region;
-  return render_traced(scene, View{scene.camera, width, height}, settings, request, prepared, progress);
+  return render_traced(scene, View{scene.camera, width, height}, settings, request_for(channels, region), prepared,
+                       progress);
 }
 
 bool same_picture(const Frame& a, const Frame& b) {

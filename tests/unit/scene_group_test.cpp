@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "base/check.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
 #include "scene/scene_writer.h"
 #include "scene/world.h"
+#include "support/refusal.h"
 
 namespace ps {
 namespace scene_group_test {
@@ -82,14 +82,7 @@ TEST(SceneGroup, IsWrittenAsInstances) {
 }
 
 TEST(SceneGroup, RefusesWhatItCannotHold) {
-  const auto message = [](const std::string& text) -> std::string {
-    try {
-      parsed(text);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
-  };
+  const auto message = [](const std::string& text) -> std::string { return test::refusal_of([&] { parsed(text); }); };
   EXPECT_NE(message("group { plane { point = (0, 0, 0) normal = (0, 1, 0) } }").find("plane"), std::string::npos);
   EXPECT_NE(message("group = 3"), "");
   std::string deep;

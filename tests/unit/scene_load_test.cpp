@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/check.h"
+#include "support/refusal.h"
 
 namespace scene_load_test {
 namespace {
@@ -67,12 +68,8 @@ TEST(SceneLoad, EveryBuiltInSceneLoads) {
 }
 
 TEST(SceneLoad, AnUnknownNameSuggestsTheNearest) {
-  try {
-    ps::load_scene("cgfs/reflexions");
-    FAIL();
-  } catch (const ps::InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("'cgfs/reflections'"), std::string::npos) << error.what();
-  }
+  EXPECT_NE(ps::test::refusal_of([&] { ps::load_scene("cgfs/reflexions"); }).find("'cgfs/reflections'"),
+            std::string::npos);
 }
 
 TEST(SceneLoad, AFolderIsNoScene) { EXPECT_THROW(ps::load_scene("assets"), ps::InputError); }

@@ -4,8 +4,8 @@
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "render/left_out.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace shadow_map_listing_test {
 namespace {
@@ -38,11 +38,9 @@ TEST(ShadowMapListing, SaysThatPointLightsCastNoShadows) {
 TEST(ShadowMapListing, LookupsAreInItsStory) {
   const Scene scene = load_scene(yard);
   const View view{scene.camera, scene.canvas_width, scene.canvas_height};
-  Prepared prepared;
-  Progress progress;
   int lit = 0, dark = 0;
   for (int x = 4; x < 600; x += 9) {
-    const PixelStory story = inspect(scene, view, textbook(scene), {x, 230}, prepared, progress);
+    const PixelStory story = inspect(scene, view, textbook(scene), {x, 230});
     for (const Event& event : story.events) {
       const auto* map = std::get_if<ShadowMapEvent>(&event.data);
       if (!map) continue;

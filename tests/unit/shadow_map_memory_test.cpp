@@ -8,6 +8,7 @@
 #include "raster/maps.h"
 #include "render/render.h"
 #include "scene/scene_file.h"
+#include "support/refusal.h"
 
 namespace shadow_map_memory_test {
 namespace {
@@ -31,12 +32,7 @@ Settings with_maps(int size) {
 
 /// What refuses with `available` bytes says; empty where it does not.
 std::string refusal(std::uint64_t needed, std::optional<std::uint64_t> available) {
-  try {
-    require_memory(needed, available, "the maps", "have fewer lights");
-    return "";
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  return test::refusal_of([&] { require_memory(needed, available, "the maps", "have fewer lights"); });
 }
 
 TEST(ShadowMapMemory, IsWhatTheMapsTake) {
@@ -64,16 +60,9 @@ TEST(ShadowMapMemory, RefusesMoreThanThereIsAndSaysHowMuch) {
 TEST(ShadowMapMemory, AThousandLightsAreRefusedBeforeTheFirstMap) {
   if (!available_memory() || *available_memory() > 500'000'000'000u) GTEST_SKIP() << "this computer could hold them";
   const Scene scene = scene_with_lights(998);
-  Prepared prepared;
-  Progress progress;
-  try {
-    render(scene, {scene.camera, 8, 8}, with_maps(4096), {}, prepared, progress);
-    FAIL() << "was drawn";
-  } catch (const InputError& error) {
-    const std::string message = error.what();
-    EXPECT_NE(message.find("the shadow maps of 999 lights with 4096 x 4096 texels need 402 GB"), std::string::npos)
-        << message;
-  }
+  const std::string message = test::refusal_of([&] { render(scene, {scene.camera, 8, 8}, with_maps(4096)); });
+  EXPECT_NE(message.find("the shadow maps of 999 lights with 4096 x 4096 texels need 402 GB"), std::string::npos)
+      << message;
 }
 
 }  // namespace

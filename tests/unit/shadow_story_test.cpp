@@ -3,8 +3,8 @@
 
 #include "inspect/space_model.h"
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 #include "support/trials.h"
 
 namespace ps {
@@ -28,9 +28,8 @@ struct ShadowedPicture {
     settings.environment = environment;
     settings.environment_size = 32;
     Progress progress;
-    RenderRequest request;
-    request.channels = Channel::shadow | Channel::stencil | Channel::ids;
-    frame = render(scene, view, settings, request, prepared, progress);
+    frame = render(scene, view, settings, request_for(Channel::shadow | Channel::stencil | Channel::ids), prepared,
+                   progress);
   }
   PixelStory story(Vec2i pixel) {
     Progress progress;
@@ -82,9 +81,8 @@ TEST(ShadowStory, SaysWhatThePictureShows) {
       ShadowedPicture drawn("lab/inside-shadow", method);
       drawn.settings.shading = shading;
       Progress progress;
-      RenderRequest request;
-      request.channels = Channel::shadow | Channel::stencil | Channel::ids;
-      drawn.frame = render(drawn.scene, drawn.view, drawn.settings, request, drawn.prepared, progress);
+      drawn.frame = render(drawn.scene, drawn.view, drawn.settings,
+                           request_for(Channel::shadow | Channel::stencil | Channel::ids), drawn.prepared, progress);
       expect_picture(drawn);
     }
 }
@@ -174,9 +172,7 @@ TEST(ShadowStory, PicturesAreTheSameForAnyNumberOfThreads) {
       Settings settings = one.settings;
       settings.threads = threads;
       settings.simd = threads == 3 ? Simd::off : Simd::automatic;
-      Prepared prepared;
-      Progress progress;
-      const Frame frame = render(one.scene, one.view, settings, {}, prepared, progress);
+      const Frame frame = render(one.scene, one.view, settings);
       EXPECT_EQ(frame.colour, one.frame.colour);
     }
   }

@@ -57,9 +57,7 @@ Frame picture_of(const Scene& scene, Renderer renderer, Shadows shadows) {
   settings.renderer = renderer;
   settings.shadows = shadows;
   settings.shadow_map_size = 64;
-  Prepared prepared;
-  Progress progress;
-  return render(scene, {scene.camera, 24, 18}, settings, {}, prepared, progress);
+  return render(scene, {scene.camera, 24, 18}, settings);
 }
 
 TEST(ShortDirections, DrawAsTheirLongerOnes) {

@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "render/story/story_tree.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps {
 namespace shown_term_test {
@@ -26,9 +26,7 @@ InspectedSum inspect_sum(const std::string& name, Vec2i pixel, Renderer renderer
   const Scene scene = load_scene(name);
   Settings settings = settings_for(scene);
   settings.renderer = renderer;
-  Prepared prepared;
-  Progress progress;
-  return {inspect(scene, {scene.camera, 600, 600}, settings, pixel, prepared, progress)};
+  return {inspect(scene, {scene.camera, 600, 600}, settings, pixel)};
 }
 
 TEST(ShownTerm, EveryEventOfATracedPixelShowsTheLineOfItsOwnRay) {

@@ -14,9 +14,9 @@
 #include "document/permalink.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
+#include "support/render_once.h"
 #include "support/trials.h"
 
 namespace slow_motion_test {
@@ -31,20 +31,14 @@ struct Set {
 };
 
 Frame whole(const Set& set, Channel channels = Channel::ids | Channel::depth | Channel::overdraw) {
-  Prepared prepared;
-  Progress progress;
-  RenderRequest request;
-  request.channels = channels;
-  return render(set.scene, set.view, set.settings, request, prepared, progress);
+  return render(set.scene, set.view, set.settings, request_for(channels));
 }
 
 SlowFrame after(const Set& set, SlowUnit unit, std::uint64_t at,
                 Channel channels = Channel::ids | Channel::depth | Channel::overdraw) {
   Prepared prepared;
   Progress progress;
-  RenderRequest request;
-  request.channels = channels;
-  return render_slowly(set.scene, set.view, set.settings, {unit, at}, request, prepared, progress);
+  return render_slowly(set.scene, set.view, set.settings, {unit, at}, request_for(channels), prepared, progress);
 }
 
 bool same_bits(const Frame& a, const Frame& b) {
@@ -291,11 +285,9 @@ TEST(SlowMotion, SamplesAreTheMeanOfThoseSoFar) {
     EXPECT_EQ(total_of(set, SlowUnit::samples), 9u);
     EXPECT_TRUE(same_bits(after(set, SlowUnit::samples, 9).frame, whole(set)));
     const Frame two = after(set, SlowUnit::samples, 2).frame, five = after(set, SlowUnit::samples, 5).frame;
-    Prepared prepared;
-    Progress progress;
     for (int y = 5; y < 70; y += 16)
       for (int x = 3; x < 75; x += 11) {
-        const PixelStory story = inspect(set.scene, set.view, set.settings, {x, y}, prepared, progress);
+        const PixelStory story = inspect(set.scene, set.view, set.settings, {x, y});
         Vec3f sum(0);
         int taken = 0;
         for (const Event& event : story.events)

@@ -8,9 +8,9 @@
 #include <random>
 
 #include "inspect/space_parts.h"
-#include "render/render.h"
 #include "render/story/story_tree.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps {
 namespace space_model_test {
@@ -30,9 +30,7 @@ InspectedPixel inspect_in_space(const std::string& name, Vec2i pixel, Renderer r
   inspected.view = {inspected.scene.camera, size, size};
   inspected.settings.renderer = renderer;
   inspected.settings.precision = Precision::float64;
-  Prepared prepared;
-  Progress progress;
-  inspected.story = inspect(inspected.scene, inspected.view, inspected.settings, pixel, prepared, progress);
+  inspected.story = inspect(inspected.scene, inspected.view, inspected.settings, pixel);
   inspected.model = build_space(inspected.scene, inspected.view, inspected.settings, &inspected.story);
   return inspected;
 }
@@ -153,9 +151,7 @@ TEST(SpaceModel, WithoutShadowsTheLightsAreOnlyDirections) {
   InspectedPixel inspected = inspect_in_space("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
   inspected.settings.shadows = Shadows::none;
   inspected.settings.reflection_depth = 0;
-  Prepared prepared;
-  Progress progress;
-  inspected.story = inspect(inspected.scene, inspected.view, inspected.settings, {300, 420}, prepared, progress);
+  inspected.story = inspect(inspected.scene, inspected.view, inspected.settings, {300, 420});
   inspected.model = build_space(inspected.scene, inspected.view, inspected.settings, &inspected.story);
   EXPECT_EQ(count_of(inspected.model, SpaceKind::shadow_ray_lit), 0);
   EXPECT_EQ(count_of(inspected.model, SpaceKind::light_direction), 2);

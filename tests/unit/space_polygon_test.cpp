@@ -5,9 +5,10 @@
 #include <cmath>
 
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/scene_file.h"
 #include "scene/scene_writer.h"
+#include "support/refusal.h"
+#include "support/render_once.h"
 
 namespace space_polygon_test {
 namespace {
@@ -17,29 +18,16 @@ using namespace ps;
 const std::string lights = "light { type = ambient intensity = 0.3 }\n"
                            "light { type = point intensity = 0.7 position = (1, 2, 0) }\n";
 
-/// The message and the place of the error that a scene causes; an empty message if it is read.
-struct Refusal {
-  std::string message;
-  int line = 0, column = 0;
-};
-Refusal refusal(const std::string& text) {
-  try {
-    parse_scene(text, "p.scene", ".");
-  } catch (const InputError& error) {
-    return {error.what(), error.place().line, error.place().column};
-  }
-  return {};
+/// The message that a scene causes, with its place; empty if it is read.
+std::string refusal(const std::string& text) {
+  return test::refusal_of([&] { parse_scene(text, "p.scene", "."); });
 }
 
 Frame drawn(const Scene& scene, Renderer renderer) {
   Settings settings = settings_for(scene);
   settings.renderer = renderer;
   settings.backface_culling = false;
-  Prepared prepared;
-  Progress progress;
-  RenderRequest request;
-  request.channels = Channel::ids;
-  return render(scene, {scene.camera, 80, 60}, settings, request, prepared, progress);
+  return render(scene, {scene.camera, 80, 60}, settings, request_for(Channel::ids));
 }
 
 TEST(SpacePolygon, IsDrawnAsTheTrianglesAroundItsFirstVertex) {
@@ -74,34 +62,30 @@ TEST(SpacePolygon, IsDrawnAsTheTrianglesAroundItsFirstVertex) {
 }
 
 TEST(SpacePolygon, RefusesWhatIsNotFlatAtTheVertexThatLeavesThePlane) {
-  const Refusal bent = refusal("\npolygon { vertices = [(0, 0, 4), (1, 0, 4), (1, 1, 4.5), (0, 1, 4)] }");
-  EXPECT_EQ(bent.line, 2);
-  EXPECT_NE(bent.message.find("in the plane of the polygon"), std::string::npos) << bent.message;
-  EXPECT_NE(bent.message.find("away"), std::string::npos) << bent.message;
+  const std::string bent = refusal("\npolygon { vertices = [(0, 0, 4), (1, 0, 4), (1, 1, 4.5), (0, 1, 4)] }");
+  EXPECT_TRUE(bent.starts_with("p.scene:2:")) << bent;
+  EXPECT_NE(bent.find("in the plane of the polygon"), std::string::npos) << bent;
+  EXPECT_NE(bent.find("away"), std::string::npos) << bent;
   // Seven digits are enough to be flat.
-  EXPECT_EQ(refusal("polygon { vertices = [(0.3333333, 0, 4), (1, 0, 4), (1, 1, 4.0000001), (0, 1, 4)] }").message, "");
+  EXPECT_EQ(refusal("polygon { vertices = [(0.3333333, 0, 4), (1, 0, 4), (1, 1, 4.0000001), (0, 1, 4)] }"), "");
   // One vertex far out of the plane of many is the one that is named: the third here.
-  const Refusal spike = refusal("polygon { vertices = [(2, 0, 0),\n (1, 1, 0),\n  (0, 2, 0.5),\n (-2, 0, 0),\n"
-                                " (-1, -1.5, 0),\n (0, -2, 0),\n (1, -1.5, 0)] }");
-  EXPECT_EQ(spike.line, 3) << spike.message;
-  EXPECT_EQ(spike.column, 3);
+  const std::string spike = refusal("polygon { vertices = [(2, 0, 0),\n (1, 1, 0),\n  (0, 2, 0.5),\n (-2, 0, 0),\n"
+                                    " (-1, -1.5, 0),\n (0, -2, 0),\n (1, -1.5, 0)] }");
+  EXPECT_TRUE(spike.starts_with("p.scene:3:3: ")) << spike;
 }
 
 TEST(SpacePolygon, RefusesWhatIsNotConvexOrHasNoArea) {
-  const Refusal dent = refusal("polygon { vertices = [(0, 0, 4), (2, 0, 4), (0.5, 0.5, 4), (0, 2, 4)] }");
-  EXPECT_NE(dent.message.find("convex"), std::string::npos) << dent.message;
-  EXPECT_EQ(dent.line, 1);
-  EXPECT_EQ(dent.column, 22);
-  EXPECT_NE(refusal("polygon { vertices = [(0, 10, 1), (6, -8, 1), (-10, 3, 1), (10, 3, 1), (-6, -8, 1)] }").message,
-            "")
+  const std::string dent = refusal("polygon { vertices = [(0, 0, 4), (2, 0, 4), (0.5, 0.5, 4), (0, 2, 4)] }");
+  EXPECT_NE(dent.find("convex"), std::string::npos) << dent;
+  EXPECT_TRUE(dent.starts_with("p.scene:1:22: ")) << dent;
+  EXPECT_NE(refusal("polygon { vertices = [(0, 10, 1), (6, -8, 1), (-10, 3, 1), (10, 3, 1), (-6, -8, 1)] }"), "")
       << "a star, which goes round twice";
-  EXPECT_NE(refusal("polygon { vertices = [(0, 0, 4), (1, 1, 4), (2, 2, 4)] }").message.find("area"),
-            std::string::npos);
-  EXPECT_NE(refusal("polygon { vertices = [(0, 0, 4), (1, 1, 4)] }").message, "");
-  EXPECT_EQ(refusal("polygon { vertices = [(0, 0, 4), (1, 0, 4), (2, 0, 4), (2, 2, 4)] }").message, "")
+  EXPECT_NE(refusal("polygon { vertices = [(0, 0, 4), (1, 1, 4), (2, 2, 4)] }").find("area"), std::string::npos);
+  EXPECT_NE(refusal("polygon { vertices = [(0, 0, 4), (1, 1, 4)] }"), "");
+  EXPECT_EQ(refusal("polygon { vertices = [(0, 0, 4), (1, 0, 4), (2, 0, 4), (2, 2, 4)] }"), "")
       << "a vertex on an edge is no dent";
-  EXPECT_NE(refusal("polygon { vertices = [(0, 0, 4), (1, 0), (2, 2, 4)] }").message, "") << "one vertex has two";
-  EXPECT_NE(refusal("polygon { vertices = [(0, 0, 4), (1, 0, 4), (2, 2, 4)] h = [1, 1, 1] }").message.find('h'),
+  EXPECT_NE(refusal("polygon { vertices = [(0, 0, 4), (1, 0), (2, 2, 4)] }"), "") << "one vertex has two";
+  EXPECT_NE(refusal("polygon { vertices = [(0, 0, 4), (1, 0, 4), (2, 2, 4)] h = [1, 1, 1] }").find('h'),
             std::string::npos)
       << "of the canvas alone";
 }

@@ -9,8 +9,8 @@
 
 #include "inspect/space_orbit.h"
 #include "raster/renderer.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps {
 namespace space_projection_test {
@@ -97,9 +97,8 @@ TEST(SpaceProjection, AgreesWithTheRasterizersPicture) {
     settings.near = 0.01;
     Prepared prepared;
     Progress progress;
-    RenderRequest request;
-    request.channels = Channel::ids | Channel::depth;
-    const Frame frame = render_rasterized(scene, view, settings, request, prepared, progress);
+    const Frame frame =
+        render_rasterized(scene, view, settings, request_for(Channel::ids | Channel::depth), prepared, progress);
     const SpaceProjection projection(view, settings, 0.01);
     for (const Vec2i& at : {Vec2i(0, 0), Vec2i(1, 0), Vec2i(2, 0)}) {
       const auto& sphere = std::get<Sphere>(scene.geometry->objects[static_cast<std::size_t>(at.x)].shape);

@@ -7,9 +7,9 @@
 #include "base/number_text.h"
 #include "inspect/story_markdown.h"
 #include "record/event_fields.h"
-#include "render/render.h"
 #include "scene/load.h"
 #include "support/read_csv.h"
+#include "support/render_once.h"
 #include "support/stories.h"
 
 namespace ps {
@@ -19,9 +19,7 @@ namespace {
 TEST(StoryFiles, CsvKeepsEveryDigit) {
   const Scene scene = load_scene("cgfs/reflections");
   const View view{scene.camera, 200, 200};
-  Prepared prepared;
-  Progress progress;
-  const PixelStory story = inspect(scene, view, {}, {151, 191}, prepared, progress);
+  const PixelStory story = inspect(scene, view, {}, {151, 191});
   const auto rows = test::read_csv(story_csv(story, scene, provenance_of(Settings{})));
   ASSERT_GT(rows.size(), story.events.size());
   for (const auto& row : rows) ASSERT_EQ(row.size(), 6u);

@@ -9,10 +9,10 @@
 #include "options/option.h"
 #include "render/fast_path.h"
 #include "render/left_out.h"
-#include "render/render.h"
 #include "scene/scene_file.h"
 #include "scene/scene_writer.h"
 #include "shade/reflection_map.h"
+#include "support/render_once.h"
 
 namespace ps {
 namespace surface_maps_test {
@@ -282,12 +282,10 @@ TEST(SurfaceMaps, EventsNameTheUseAndTheTexel) {
     Settings settings;
     settings.renderer = renderer;
     settings.texture_filter = TextureFilter::nearest;
-    Prepared prepared;
-    Progress progress;
     const View view{scene.camera, width, height};
     const auto uses = [&](Vec2i pixel) {
       std::map<TextureUse, Vec3d> found;
-      for (const Event& event : inspect(scene, view, settings, pixel, prepared, progress).events)
+      for (const Event& event : inspect(scene, view, settings, pixel).events)
         if (const auto* read = std::get_if<TextureEvent>(&event.data)) found[read->use] = read->result;
       return found;
     };
@@ -297,7 +295,7 @@ TEST(SurfaceMaps, EventsNameTheUseAndTheTexel) {
     EXPECT_EQ(left.at(TextureUse::opacity), Vec3d(1));
     EXPECT_EQ(uses({35, 5}).at(TextureUse::opacity), Vec3d(0));
     if (renderer == Renderer::rasterizer) {
-      const PixelStory story = inspect(scene, view, settings, {35, 5}, prepared, progress);
+      const PixelStory story = inspect(scene, view, settings, {35, 5});
       EXPECT_NE(story.verdict.find("1 triangle cut out by an opacity map"), std::string::npos) << story.verdict;
     }
   }
@@ -314,9 +312,7 @@ TEST(SurfaceMaps, TheLedgerNamesThePictureThatIsReflected) {
       Settings settings;
       settings.renderer = renderer;
       settings.environment = Environment::cube_map;
-      Prepared prepared;
-      Progress progress;
-      const PixelStory story = inspect(scene, {scene.camera, width, height}, settings, {5, 5}, prepared, progress);
+      const PixelStory story = inspect(scene, {scene.camera, width, height}, settings, {5, 5});
       std::string terms;
       for (const LedgerLine& line : story.ledger) terms += line.term + "\n";
       const bool pictured = material.find("sky") != std::string::npos;

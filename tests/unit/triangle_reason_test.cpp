@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "record/events.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps {
 namespace triangle_reason_test {
@@ -12,9 +12,7 @@ namespace {
 // Shadow rays start on the far side of their own cube: it has triangles behind them, too.
 TEST(TriangleReason, WhatLiesBehindARayIsNotARoundingError) {
   const Scene scene = load_scene("cgfs/crates");
-  Prepared prepared;
-  Progress progress;
-  const PixelStory story = inspect(scene, {scene.camera, 600, 600}, Settings{}, {340, 130}, prepared, progress);
+  const PixelStory story = inspect(scene, {scene.camera, 600, 600}, Settings{}, {340, 130});
   int behind = 0;
   for (const Event& event : story.events) {
     const auto* test = std::get_if<TriangleTestEvent>(&event.data);

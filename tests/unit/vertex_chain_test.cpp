@@ -7,8 +7,8 @@
 
 #include "base/check.h"
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps {
 namespace vertex_chain_test {
@@ -57,11 +57,9 @@ TEST(VertexChain, CornersOfFragmentsAreItsPlaces) {
   const Scene scene = load_scene("cgfs/crates");
   Settings settings = settings_for(scene);
   settings.renderer = Renderer::rasterizer;
-  Prepared prepared;
-  Progress progress;
   int compared = 0;
   for (const Vec2i pixel : {Vec2i(340, 130), Vec2i(180, 330), Vec2i(440, 150)}) {
-    const PixelStory story = inspect(scene, view_of(scene), settings, pixel, prepared, progress);
+    const PixelStory story = inspect(scene, view_of(scene), settings, pixel);
     for (const Event& event : story.events) {
       const auto* fragment = std::get_if<FragmentEvent>(&event.data);
       if (!fragment || fragment->clipped_into != 1) continue;

@@ -7,11 +7,11 @@
 #include "inspect/parting/parting.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "render/story/light_terms.h"
 #include "render/story/story_tree.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
+#include "support/render_once.h"
 
 namespace vertex_light_test {
 namespace {
@@ -33,9 +33,7 @@ PixelStory story_of(const Scene& scene, std::initializer_list<const char*> assig
   Settings settings = settings_for(scene);
   settings.renderer = Renderer::rasterizer;
   for (const char* one : assignments) parse_assignment(one, settings);
-  Prepared prepared;
-  Progress progress;
-  return inspect(scene, {scene.camera, 60, 60}, settings, pixel, prepared, progress);
+  return inspect(scene, {scene.camera, 60, 60}, settings, pixel);
 }
 
 std::vector<VertexLightEvent> points_of(const PixelStory& story) {
@@ -172,11 +170,9 @@ std::string parting_sentence(const Scene& scene, std::initializer_list<const cha
     return settings;
   };
   const Settings of_a = settings_of(a), of_b = settings_of(b);
-  Prepared prepared;
-  Progress progress;
   const View view{scene.camera, 60, 60};
-  const PixelStory story_a = inspect(scene, view, of_a, pixel, prepared, progress);
-  const PixelStory story_b = inspect(scene, view, of_b, pixel, prepared, progress);
+  const PixelStory story_a = inspect(scene, view, of_a, pixel);
+  const PixelStory story_b = inspect(scene, view, of_b, pixel);
   const Parting parting = find_parting(scene, {story_a, of_a}, {story_b, of_b});
   EXPECT_EQ(parting.cause, PartingCause::shading_position) << parting.sentence;
   return parting.sentence;

@@ -36,11 +36,9 @@ TEST(HardwareLeftOut, EveryRemedyShowsWhatIsLeftOut) {
         EXPECT_FALSE(says(left_out(traits, mended), one.brief)) << name << ": " << remedy.setting;
         if (mended.renderer != hardware) continue;
         ++own;
-        Prepared prepared;
-        Progress progress;
         const View view{scene.camera, 60, 60};
-        const Frame before = render(scene, view, settings, {}, prepared, progress);
-        const Frame after = render(scene, view, mended, {}, prepared, progress);
+        const Frame before = render(scene, view, settings);
+        const Frame after = render(scene, view, mended);
         EXPECT_FALSE(std::ranges::equal(before.colour.pixels(), after.colour.pixels()))
             << name << ": " << remedy.setting;
       }

@@ -12,6 +12,7 @@
 #include "options/scene_settings.h"
 #include "render/render.h"
 #include "scene/load.h"
+#include "support/refusal.h"
 
 namespace ps {
 namespace {
@@ -19,12 +20,7 @@ namespace {
 std::string failure_of(const Scene& scene, int width, int height, Renderer hardware) {
   Settings settings = settings_for(scene);
   settings.renderer = hardware;
-  try {
-    render(scene, {scene.camera, width, height}, settings);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { render(scene, {scene.camera, width, height}, settings); });
 }
 
 TEST(HardwareLimits, MoreLightsThanAUniformBlockHolds) {

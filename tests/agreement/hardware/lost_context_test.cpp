@@ -5,11 +5,11 @@
 #include <algorithm>
 
 #include "agreement/hardware/hardware_pair.h"
-#include "base/check.h"
 #include "hardware/gl_thread.h"
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/refusal.h"
+#include "support/render_once.h"
 
 namespace ps::lost_context_test {
 namespace {
@@ -18,26 +18,14 @@ struct Pictured {
   Scene scene = load_scene("cgfs/crates");
   View view{scene.camera, 60, 60};
   Settings settings = settings_for(scene);
-  Prepared prepared;
-  Progress progress;
 
   explicit Pictured(Renderer renderer) { settings.renderer = renderer; }
-  Frame draw() { return render(scene, view, settings, {}, prepared, progress); }
-  PixelStory story() { return inspect(scene, view, settings, {34, 13}, prepared, progress); }
+  Frame draw() { return render(scene, view, settings); }
+  PixelStory story() { return inspect(scene, view, settings, {34, 13}); }
 };
 
 void lose_context() {
   hardware::on_gl_thread([](hardware::Workshop& shop) { shop.context.lose(); });
-}
-
-template <class Act>
-std::string failure_of(const Act& act) {
-  try {
-    act();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(LostContext, EndsOnePictureAndNoMore) {
@@ -48,7 +36,7 @@ TEST(LostContext, EndsOnePictureAndNoMore) {
   const std::string lost = "the graphics driver has lost its context; the next picture starts a new one";
   for (const bool while_inspecting : {false, true}) {
     lose_context();
-    EXPECT_EQ(failure_of([&] { while_inspecting ? (void)drawn.story() : (void)drawn.draw(); }), lost);
+    EXPECT_EQ(test::refusal_of([&] { while_inspecting ? (void)drawn.story() : (void)drawn.draw(); }), lost);
     EXPECT_TRUE(std::ranges::equal(rasterized.draw().colour.pixels(), ours.colour.pixels()));
     EXPECT_TRUE(std::ranges::equal(drawn.draw().colour.pixels(), before.colour.pixels()));
     const PixelStory again = drawn.story();

@@ -11,13 +11,13 @@
 #include "image/file.h"
 #include "options/renderer_kind.h"
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
 #include "study/chart.h"
 #include "study/chart_log.h"
 #include "study/renderer_sweep.h"
 #include "support/emulated.h"
 #include "support/environment.h"
+#include "support/render_once.h"
 #include "support/run_cli.h"
 
 namespace renderer_sweep_test {
@@ -80,9 +80,7 @@ TEST(RendererSweep, AnEmptiedDriverUploadsTheWholeSceneAndDrawsTheSame) {
     settings.renderer = hardware;
     RenderRequest request;
     request.driver_memory = memory;
-    Prepared prepared;
-    Progress progress;
-    return render(scene, {scene.camera, 40, 25}, settings, request, prepared, progress);
+    return render(scene, {scene.camera, 40, 25}, settings, request);
   };
   const auto meshes = [] {
     std::size_t count = 0;
@@ -109,9 +107,8 @@ TEST(RendererSweep, SaysWhyHardwareIsAbsentWithoutADriver) {
   const test::ScratchFolder folder;
   const test::WithoutEglDriver without(folder.path().string());
   const std::string out = folder.file("chart");
-  const auto result = test::run_cli(
+  const auto result = test::run_cli_well(
       {"chart", "cgpp/triangle", "--size", "16x10", "--sweep", "renderers", "--repeats", "1", "--out", out});
-  ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.out.find("Not drawn: hardware (OpenGL): no OpenGL: no driver"), std::string::npos) << result.out;
   const auto json = nlohmann::json::parse(read_whole_file(out + "/points.json"));
   ASSERT_EQ(json.at("points").size(), 2u);
@@ -123,8 +120,7 @@ TEST(RendererSweep, OneCommandDrawsTheThreeScenesOfTheBookWithAllThree) {
   PS_NEEDS_HARDWARE(hardware);
   const test::ScratchFolder folder;
   const std::string sheet = folder.file("sheet.png");
-  const auto result = test::run_cli({"renderers", "--size", "40x25", "--repeats", "1", "--sheet", sheet});
-  ASSERT_EQ(result.status, 0) << result.err;
+  test::run_cli_well({"renderers", "--size", "40x25", "--repeats", "1", "--sheet", sheet});
   const Image<Rgb8> picture = load_levels(sheet);
   constexpr int gap = 6;
   ASSERT_EQ(picture.width(), 3 * 40 + 2 * gap);

@@ -14,9 +14,9 @@
 #include "hardware/gl_thread.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
 #include "support/environment.h"
+#include "support/render_once.h"
 
 namespace ps::hardware_samples_test {
 namespace {
@@ -149,12 +149,10 @@ TEST(HardwareSamples, ChannelsAreThoseOfTheFirstSample) {
     RenderRequest request;
     request.channels = Channel::ids | Channel::depth | Channel::normal | Channel::uv | Channel::barycentric;
     const View view{scene.camera, width, height};
-    Prepared prepared;
-    Progress progress;
     settings.renderer = Renderer::rasterizer;
-    const Frame expected = render(scene, view, settings, request, prepared, progress);
+    const Frame expected = render(scene, view, settings, request);
     settings.renderer = hardware;
-    const Frame drawn = render(scene, view, settings, request, prepared, progress);
+    const Frame drawn = render(scene, view, settings, request);
     long seen = 0, edges = 0;
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {

@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include "base/atomic_file.h"
-#include "base/check.h"
 #include "hardware/shader_text.h"
 #include "support/environment.h"
+#include "support/refusal.h"
 #include "support/run_cli.h"
 
 namespace ps::shader_includes_test {
@@ -22,13 +22,10 @@ class ShaderIncludes : public testing::Test {
   }
   /// What is said of the file.
   static std::string refusal(const std::string& name) {
-    try {
+    return test::refusal_of([&] {
       hardware::ShaderFiles files;
       hardware::shader_text(files, name, ShaderStage::fragment, hardware::Api::desktop, "");
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    });
   }
 
   test::ScratchFolder folder_;

@@ -14,9 +14,9 @@
 #include "hardware/shader_text.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
 #include "support/environment.h"
+#include "support/render_once.h"
 #include "support/run_cli.h"
 
 namespace shader_listing_test {
@@ -73,11 +73,7 @@ TEST(ShaderListing, IsOfThePickedTriangle) {
   const Scene scene = load_scene("cgfs/reflections");
   const Settings settings = drawn_by(hardware, scene);
   const View view{scene.camera, 120, 120};
-  RenderRequest request;
-  request.channels = Channel::ids;
-  Prepared prepared;
-  Progress progress;
-  const Frame frame = render(scene, view, settings, request, prepared, progress);
+  const Frame frame = render(scene, view, settings, request_for(Channel::ids));
   std::set<int> objects;
   for (int y = 5; y < 120; y += 23)
     for (int x = 5; x < 120; x += 23) {

@@ -10,8 +10,8 @@
 #include "image/difference.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps {
 namespace {
@@ -46,12 +46,10 @@ VolumeDifference compare(const std::string& name, const std::vector<std::string>
   other.subpixel_bits = hardware::availability().driver->subpixel_bits;
   RenderRequest request;
   request.channels = Channel::ids;
-  Prepared prepared;
-  Progress progress;
   const View view{scene.camera, picture_side, picture_side};
-  const Frame drawn = render(scene, view, one, request, prepared, progress);
+  const Frame drawn = render(scene, view, one, request);
   request.channels = Channel::ids | Channel::shadow;
-  const Frame expected = render(scene, view, other, request, prepared, progress);
+  const Frame expected = render(scene, view, other, request);
   const Image<Rgb8> a = display_frame(drawn, one), b = display_frame(expected, other);
   VolumeDifference difference;
   for (int y = 0; y < picture_side; ++y)

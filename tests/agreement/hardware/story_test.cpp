@@ -14,9 +14,9 @@
 #include "hardware/gl_thread.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
 #include "support/environment.h"
+#include "support/render_once.h"
 
 namespace ps::hardware_story_test {
 namespace {
@@ -136,9 +136,8 @@ TEST(HardwareStory, EndsWithThePicturesColourAndDepth) {
     const View view{scene.camera, width, height};
     Prepared prepared;
     Progress progress;
-    RenderRequest request;
-    request.channels = Channel::ids | Channel::depth | Channel::barycentric;
-    const Frame seen = render(scene, view, settings, request, prepared, progress);
+    const Frame seen = render(scene, view, settings, request_for(Channel::ids | Channel::depth | Channel::barycentric),
+                              prepared, progress);
     const Frame frame = render(scene, view, settings, {}, prepared, progress);
     const std::vector<Vec2i> surfaces = pixels_with_surface(seen);
     ASSERT_FALSE(surfaces.empty());

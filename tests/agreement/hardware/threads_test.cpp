@@ -8,8 +8,8 @@
 #include "hardware/gl_thread.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
-#include "render/render.h"
 #include "scene/load.h"
+#include "support/render_once.h"
 
 namespace ps {
 namespace {
@@ -63,12 +63,8 @@ TEST(HardwareThreads, ChannelsChangeNothing) {
   const Scene scene = load_scene("cgfs/crates");
   const View view{scene.camera, 120, 90};
   const Settings settings = hardware_settings(scene, hardware);
-  Prepared prepared;
-  Progress progress;
-  RenderRequest request;
-  request.channels = Channel::ids;
   const Frame frame = render(scene, view, settings);
-  const Frame with_ids = render(scene, view, settings, request, prepared, progress);
+  const Frame with_ids = render(scene, view, settings, request_for(Channel::ids));
   EXPECT_EQ(frame.colour, with_ids.colour) << "channels must not change a bit of the picture";
 }
 

@@ -1,0 +1,28 @@
+#pragma once
+#include "render/render.h"
+
+/// Pictures and stories for tests that keep nothing for the next one.
+
+namespace ps {
+
+inline Frame render(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request) {
+  Prepared prepared;
+  Progress progress;
+  return render(scene, view, settings, request, prepared, progress);
+}
+
+inline PixelStory inspect(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel) {
+  Prepared prepared;
+  Progress progress;
+  return inspect(scene, view, settings, pixel, prepared, progress);
+}
+
+/// What a picture with these channels, or of this region alone, is asked for with.
+inline RenderRequest request_for(Channel channels, const std::optional<TileRect>& region = {}) {
+  RenderRequest request;
+  request.channels = channels;
+  request.region = region;
+  return request;
+}
+
+}  // namespace ps
