@@ -17,17 +17,18 @@
 #include "options/scene_settings.h"
 #include "render/left_out.h"
 #include "render/provenance.h"
-#include "render/render.h"
 #include "scene/float_limits.h"
 #include "scene/scene_file.h"
 #include "support/golden.h"
+#include "support/render_once.h"
 #include "support/shown_levels.h"
 
 namespace ps::far_scenes_test {
 namespace {
 
 constexpr int width = 96, height = 72;
-const std::array<Vec3d, 3> far_places{Vec3d{5e5, 120, 5.5e6}, Vec3d{-5.5e6, 5e5, 3e5}, Vec3d{4e5, -3e6, 200}};
+const std::array<Vec3d, 4> far_places{Vec3d{5e5, 120, 5.5e6}, Vec3d{-5.5e6, 5e5, 3e5}, Vec3d{4e5, -3e6, 200},
+                                      Vec3d{3e7, -3e7, 3e7}};
 
 /// A folder with a picture that changes slowly.
 std::filesystem::path picture_folder() {
@@ -185,10 +186,8 @@ TEST(FarScenes, StoriesTellTheNumbersOfTheWorld) {
       // A mirror, the relief, bumps, the pyramid and the floor; none of them lies at an edge.
       for (const Vec2i pixel : {Vec2i{24, 38}, {70, 36}, {44, 24}, {56, 42}, {20, 66}}) {
         const auto story_of = [&](const Scene& scene) {
-          Prepared prepared;
-          Progress progress;
           const View view{scene.camera, width, height};
-          const PixelStory story = inspect(scene, view, settings, pixel, prepared, progress);
+          const PixelStory story = inspect(scene, view, settings, pixel);
           return nlohmann::json::parse(story_json(story, scene, view, provenance_of(settings)))["events"];
         };
         moved += compare_numbers(story_of(far), story_of(home), place,

@@ -1,5 +1,6 @@
-// Every kept file of tests/corpus, and random changes of them for a bounded time: read or refused, never anything else.
-// PIXELSCOPE_TEST_SEED repeats a run, PIXELSCOPE_FUZZ_SECONDS lengthens it. `tests/run --fuzz` goes on with libFuzzer.
+// Every kept file of tests/corpus and every scene that ships, and random changes of them for a bounded time: read or
+// refused, never anything else. PIXELSCOPE_TEST_SEED repeats a run, PIXELSCOPE_FUZZ_SECONDS lengthens it. `tests/run
+// --fuzz` goes on with libFuzzer.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,8 +24,11 @@ using ps::fuzz::Target;
 
 std::vector<std::string> kept_files(const Target& target) {
   std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator("tests/corpus/" + std::string(target.name)))
-    if (entry.is_regular_file() && entry.path().extension() != ".json") paths.push_back(entry.path());
+  std::vector<std::string> folders{"tests/corpus/" + std::string(target.name)};
+  if (target.name == "scene") folders.emplace_back("assets/scenes");
+  for (const std::string& folder : folders)
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+      if (entry.is_regular_file() && entry.path().extension() != ".json") paths.push_back(entry.path());
   std::sort(paths.begin(), paths.end());
   std::vector<std::string> files;
   files.reserve(paths.size());

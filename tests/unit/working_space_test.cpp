@@ -94,21 +94,6 @@ TEST(WorkingSpace, RaysFarFromTheOriginShowWhatDoubleShows) {
   }
 }
 
-TEST(WorkingSpace, FragmentsFarFromTheOriginShowWhatDoubleShows) {
-  for (const Vec3d& place : far_places)
-    for (const Shadows shadows : {Shadows::none, Shadows::map, Shadows::stencil_depth_fail})
-      for (const Shading shading : {Shading::phong, Shading::gouraud}) {
-        Settings settings;
-        settings.renderer = Renderer::rasterizer;
-        settings.shadows = shadows;
-        settings.shadow_map_size = 128;
-        settings.shading = shading;
-        const Scene scene = scene_at(place), home = scene_at({0, 0, 0});
-        EXPECT_LE(test::differing(levels_of(scene, settings), levels_of(home, settings)), 8)
-            << place.x << " shadows " << static_cast<int>(shadows);
-      }
-}
-
 TEST(WorkingSpace, PicturesDoNotDependOnTheSizeOfTheScene) {
   for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
     Settings settings;
@@ -117,33 +102,6 @@ TEST(WorkingSpace, PicturesDoNotDependOnTheSizeOfTheScene) {
     const Image<Rgb8> wanted = levels_of(scene_at({0, 0, 0}), settings);
     for (const double size : {0.1, 1e-3, 1e-5, 1e-7, 1e-12, 1e-15, 1e-20, 1e-25, 1e-40, 1e-100, 1e10})
       EXPECT_LE(test::differing(levels_of(scene_at({0, 0, 0}, size), settings), wanted), 8) << size;
-  }
-}
-
-TEST(WorkingSpace, StoriesTellTheNumbersOfTheWorld) {
-  for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
-    const Vec3d place = far_places[0];
-    const Scene scene = scene_at(place);
-    Settings settings;
-    settings.renderer = renderer;
-    settings.shading = renderer == Renderer::rasterizer ? Shading::flat : Shading::phong;
-    Prepared prepared;
-    Progress progress;
-    const View view{scene.camera, picture_width, picture_height};
-    const PixelStory story = inspect(scene, view, settings, {19, 26}, prepared, progress);
-    int points = 0;
-    const auto near_place = [&](const Vec3d& point) {
-      ++points;
-      for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(point[axis], place[axis], 10);
-    };
-    for (const Event& event : story.events) {
-      if (const auto* ray = std::get_if<RayEvent>(&event.data)) near_place(ray->origin);
-      if (const auto* hit = std::get_if<HitEvent>(&event.data)) near_place(hit->point);
-      if (const auto* light = std::get_if<VertexLightEvent>(&event.data)) near_place(light->position);
-    }
-    EXPECT_GT(points, 0);
-    if (renderer != Renderer::ray_tracer) continue;
-    EXPECT_EQ(std::get<RayEvent>(story.events.at(0).data).origin, scene.camera.position);
   }
 }
 
