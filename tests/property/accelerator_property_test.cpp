@@ -3,17 +3,12 @@
 // would not notice a wrong box in a million.
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <iostream>
 #include <optional>
 #include <random>
 
 #include "base/machine.h"
-#include "options/scene_settings.h"
 #include "raytrace/fast/fast_intersector.h"
-#include "raytrace/renderer.h"
-#include "render/render.h"
-#include "scene/load.h"
 #include "support/closed_sphere.h"
 #include "support/same_bits.h"
 #include "support/simd_targets.h"
@@ -334,28 +329,6 @@ TEST(Accelerators, EmbreeFindsAnotherTriangleOnlyWithinFourUlpOfAnEdge) {
             << " counted as edge rays\n";
   EXPECT_GT(counted, 0u) << "rays aimed at edges must show that the arithmetic differs";
   EXPECT_LT(differing, rays_in_all / 20);
-}
-
-/// The scene of OCT's comparison, which every accelerator must draw as testing everything does.
-TEST(Accelerators, TheHeadlineSceneIsOnePicture) {
-  const Scene scene = load_scene("octree/headline");
-  Settings settings = settings_for(scene);
-  Prepared prepared;
-  const auto picture = [&](Accelerator accelerator, Simd simd) {
-    settings.accelerator = accelerator;
-    settings.simd = simd;
-    Progress progress;
-    return render_traced(scene, View{scene.camera, 8 + test::trials(40), 6 + test::trials(30)}, settings, {}, prepared,
-                         progress);
-  };
-  const Frame all = picture(Accelerator::none, Simd::off);
-  EXPECT_EQ(all.counters[Counter::triangle_tests] / all.counters[Counter::eye_rays] / 1000, 34u);
-  for (const Way& way : ways) {
-    const Frame frame = picture(way.accelerator, way.simd);
-    const auto bytes = all.colour.pixels().size_bytes();
-    EXPECT_EQ(std::memcmp(frame.colour.pixels().data(), all.colour.pixels().data(), bytes), 0)
-        << static_cast<int>(way.accelerator) << "/" << static_cast<int>(way.simd);
-  }
 }
 
 TEST(Accelerators, TheNaiveSlabTestLosesHits) {

@@ -1,17 +1,10 @@
-// What must hold for every scene: shortcuts, the number of threads and the act of looking change nothing.
+// What must hold for every scene that rays see: shortcuts change nothing but the work, stories add up, and a stop is
+// early.
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <chrono>
-#include <mutex>
-#include <optional>
-#include <random>
-#include <set>
-#include <thread>
 
-#include "image/display.h"
 #include "raytrace/renderer.h"
-#include "render/render.h"
 #include "scene/load.h"
 #include "support/random_scene.h"
 #include "support/same_bits.h"
@@ -91,68 +84,6 @@ TEST(TracedProperty, ShadowCacheCachedConstantsAndAnyHitChangeNothingButTheWork)
     }
   }
   EXPECT_TRUE(work_changed);
-}
-
-/// Waits inside a tile until all threads have arrived, so that each of them takes part.
-RenderRequest meeting_point(int threads, std::set<std::thread::id>& ids, std::mutex& mutex) {
-  RenderRequest request;
-  request.on_tile = [&ids, &mutex, threads](const Frame&, const TileRect&) {
-    const auto arrived = [&] {
-      const std::lock_guard lock(mutex);
-      ids.insert(std::this_thread::get_id());
-      return static_cast<int>(ids.size());
-    };
-    for (int tries = 0; arrived() < threads && tries < 200000; ++tries)
-      std::this_thread::sleep_for(std::chrono::microseconds(100));
-  };
-  return request;
-}
-
-TEST(TracedProperty, ThreadsChangeNothing) {
-  for (unsigned seed = 21; seed <= 23; ++seed) {
-    SCOPED_TRACE(seed);
-    const Scene scene = random_scene(seed);
-    std::optional<Frame> first;
-    for (const int threads : {1, 2, 7}) {
-      Settings settings;
-      settings.threads = threads;
-      std::set<std::thread::id> ids;
-      std::mutex mutex;
-      const Frame frame = traced(scene, settings, meeting_point(threads, ids, mutex), 150, 120);
-      EXPECT_EQ(static_cast<int>(ids.size()), threads);
-      if (first)
-        expect_same(*first, frame, Tests::compare);
-      else
-        first = frame;
-    }
-  }
-}
-
-TEST(TracedProperty, AStoryEndsInTheColourOfThePicture) {
-  std::mt19937 random(31);
-  for (unsigned seed = 31; seed <= 34; ++seed) {
-    SCOPED_TRACE(seed);
-    const Scene scene = random_scene(seed);
-    for (const Settings& settings : ways_to_intersect()) {
-      const Frame frame = traced(scene, settings);
-      const bool wide = settings.precision == Precision::float64;
-      const Image<Rgb8> shown = wide ? display_image(frame.colour_double) : display_image(frame.colour);
-      Prepared prepared;
-      Progress progress;
-      for (int i = 0; i < 40; ++i) {
-        const Vec2i pixel{static_cast<int>(random() % 97), static_cast<int>(random() % 61)};
-        const PixelStory story = inspect(scene, View{scene.camera, 97, 61}, settings, pixel, prepared, progress);
-        const Vec3d stored = wide ? frame.colour_double.at(pixel.x, pixel.y) : Vec3d(frame.colour.at(pixel.x, pixel.y));
-        EXPECT_EQ(story.linear, stored);
-        const Rgb8 level = shown.at(pixel.x, pixel.y);
-        EXPECT_EQ(story.display, (std::array<int, 3>{level.r, level.g, level.b}));
-        EXPECT_EQ(story.counters[Counter::sphere_tests] + story.counters[Counter::triangle_tests] +
-                      story.counters[Counter::solid_tests],
-                  frame.tests.at(pixel.x, pixel.y));
-        EXPECT_FALSE(story.verdict.empty());
-      }
-    }
-  }
 }
 
 /// With packets of rays and without them. The picture stays nearly the same where nothing is thinner than the step.

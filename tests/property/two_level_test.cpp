@@ -3,17 +3,12 @@
 // ulp of placed corners and edges, for transforms that are far, flat, long, turned, mirrored and not orthonormal.
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <iostream>
 #include <random>
 
-#include "options/scene_settings.h"
 #include "raytrace/clear/intersector.h"
 #include "raytrace/clear/surface_point.h"
-#include "scene/load.h"
 #include "support/closed_sphere.h"
-#include "support/random_scene.h"
-#include "support/render_once.h"
 #include "support/same_bits.h"
 #include "support/trials.h"
 
@@ -221,44 +216,6 @@ TEST(TwoLevels, LoseHitsWithoutWiderBoxes) {
             << "\n";
   EXPECT_GT(without, 0);
   EXPECT_GT(not_spread, 0);
-}
-
-void expect_one_picture(const Scene& scene, Settings settings, int width, int height) {
-  RenderRequest request;
-  request.channels = Channel::ids | Channel::depth | Channel::normal | Channel::uv;
-  settings.accelerator = Accelerator::none;
-  const Frame all = render(scene, {scene.camera, width, height}, settings, request);
-  settings.accelerator = Accelerator::two_level;
-  const Frame shared = render(scene, {scene.camera, width, height}, settings, request);
-  const auto same = [](const auto& a, const auto& b) {
-    const auto from = a.pixels(), to = b.pixels();
-    return from.size() == to.size() && std::memcmp(from.data(), to.data(), from.size_bytes()) == 0;
-  };
-  EXPECT_TRUE(same(all.colour, shared.colour));
-  EXPECT_TRUE(same(all.ids, shared.ids));
-  EXPECT_TRUE(same(all.depth, shared.depth));
-  EXPECT_TRUE(same(all.normal, shared.normal));
-  EXPECT_TRUE(same(all.uv, shared.uv));
-  EXPECT_EQ(all.counters[Counter::triangles_degenerate], shared.counters[Counter::triangles_degenerate]);
-  EXPECT_GT(shared.counters[Counter::node_visits], 0u);
-}
-
-TEST(TwoLevels, GiveThePictureOfTestingEverything) {
-  for (const char* name : {"lab/hierarchy", "lab/flattened", "cgfs/crates", "cgfs/brick-wall", "octree/headline",
-                           "cgpp/teapot", "cgfs/primitives"}) {
-    SCOPED_TRACE(name);
-    const Scene scene = load_scene(name);
-    Settings settings = settings_for(scene);
-    settings.renderer = Renderer::ray_tracer;
-    expect_one_picture(scene, settings, 48, 36);
-    settings.precision = Precision::float64;
-    settings.shadow_cache = true;
-    expect_one_picture(scene, settings, 16, 12);
-  }
-  for (unsigned seed = 21; seed < 21u + static_cast<unsigned>(test::trials(6)); ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    expect_one_picture(test::random_scene(seed), {}, 40, 30);
-  }
 }
 
 /// Memory of what rays search, when `count` instances of a model stand in the scene.

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <optional>
 #include <vector>
 
@@ -10,7 +9,6 @@
 #include "scene/load.h"
 #include "scene/scene_file.h"
 #include "support/render_once.h"
-#include "support/trials.h"
 
 namespace sampling_test {
 namespace {
@@ -23,10 +21,6 @@ Frame traced(const Scene& scene, const Settings& settings, int width, int height
   Progress progress;
   return render_traced(scene, View{scene.camera, width, height}, settings, request_for(channels, region), prepared,
                        progress);
-}
-
-bool same_picture(const Frame& a, const Frame& b) {
-  return std::memcmp(a.colour.pixels().data(), b.colour.pixels().data(), a.colour.pixels().size_bytes()) == 0;
 }
 
 Settings samples(int count, SamplePattern pattern = SamplePattern::grid) {
@@ -215,23 +209,6 @@ TEST(Sampling, SubsamplingMissesThinWires) {
   EXPECT_EQ(wire_pixels(2), all);  // each is two pixels wide
   EXPECT_EQ(wire_pixels(16), 0);
   EXPECT_LT(wire_pixels(8), all / 4);
-}
-
-TEST(Sampling, ThreadsChangeNothing) {
-  const Scene scene = load_scene("cgfs/fence");
-  for (const SamplePattern pattern : {SamplePattern::jitter, SamplePattern::r2})
-    for (const bool adaptive : {false, true}) {
-      Settings settings = samples(4, pattern);
-      settings.adaptive_sampling = adaptive;
-      settings.threads = 1;
-      const Frame alone = traced(scene, settings, test::side(90), test::side(70));
-      for (const int threads : {2, 7}) {
-        settings.threads = threads;
-        const Frame several = traced(scene, settings, test::side(90), test::side(70));
-        EXPECT_TRUE(same_picture(alone, several));
-        EXPECT_EQ(alone.counters, several.counters);
-      }
-    }
 }
 
 }  // namespace
