@@ -1,7 +1,7 @@
 #pragma once
 #include "render/render.h"
 
-/// Pictures and stories for tests that keep nothing for the next one.
+/// Pictures and stories for tests that prepare each scene afresh.
 
 namespace ps {
 
