@@ -1,8 +1,8 @@
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <ostream>
 
+#include "base/check.h"
 #include "obj_corpus.h"
 #include "support/refusal.h"
 
@@ -22,9 +22,9 @@ struct BadModel {
 
 void expect_refused(const BadModel& bad) {
   const ps::test::ModelFolder folder;
-  EXPECT_EQ(ps::test::refusal_of([&] { folder.load(bad.text); }),
-            fmt::format("{}:{}:{}: found {}, expected {}", (folder.path() / "model.obj").string(), bad.line, bad.column,
-                        bad.found, bad.expected));
+  const ps::InputError expected({(folder.path() / "model.obj").string(), bad.line, bad.column}, bad.found,
+                                bad.expected);
+  EXPECT_EQ(ps::test::refusal_of([&] { folder.load(bad.text); }), expected.what());
 }
 
 class ObjErrorCorpus : public testing::TestWithParam<BadModel> {};

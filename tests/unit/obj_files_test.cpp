@@ -1,6 +1,5 @@
 // The models of tests/corpus/obj, each with what it must give in expected.json: counts, single corners, materials and
 // warnings, or the error with its place.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -8,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/check.h"
 #include "scene/obj.h"
 #include "support/refusal.h"
 
@@ -154,10 +154,9 @@ TEST_P(ObjFiles, GiveWhatIsExpected) {
   const json expected = expectations().at(GetParam());
   if (!expected.contains("error")) return check_model(expected, ps::load_obj(folder + GetParam()));
   const json& error = expected["error"];
-  EXPECT_EQ(ps::test::refusal_of([&] { ps::load_obj(folder + GetParam()); }),
-            fmt::format("{}{}:{}:{}: found {}, expected {}", folder, expected.value("file", GetParam()),
-                        error[0].get<int>(), error[1].get<int>(), error[2].get<std::string>(),
-                        error[3].get<std::string>()));
+  const ps::SourcePlace place{folder + expected.value("file", GetParam()), error[0], error[1]};
+  const ps::InputError refusal(place, error[2], error[3]);
+  EXPECT_EQ(ps::test::refusal_of([&] { ps::load_obj(folder + GetParam()); }), refusal.what());
 }
 
 INSTANTIATE_TEST_SUITE_P(Corpus, ObjFiles, testing::ValuesIn(names()),
