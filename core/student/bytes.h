@@ -10,7 +10,7 @@
 #include "base/check.h"
 
 /// Values as bytes, in this machine's order: for two programs of one build that run on the same machine. Writer and
-/// reader have the same words, so that the fields of what goes over are listed once (student/scene_fields.h).
+/// reader have the same words, so that the fields of a scene are listed once (student/scene_fields.h).
 
 namespace ps {
 

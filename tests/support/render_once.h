@@ -17,7 +17,7 @@ inline PixelStory inspect(const Scene& scene, const View& view, const Settings& 
   return inspect(scene, view, settings, pixel, prepared, progress);
 }
 
-/// What a picture with these channels, or of this region alone, is asked for with.
+/// The request for a picture with these channels, or of this region alone.
 inline RenderRequest request_for(Channel channels, const std::optional<TileRect>& region = {}) {
   RenderRequest request;
   request.channels = channels;

@@ -29,7 +29,7 @@ void get_canvas_item(ByteReader& from, CanvasItem& item) {
     item = from.get<CanvasLine>();
 }
 
-/// A part of the scene: a list of what `fields` reads.
+/// A part of the scene: a list whose elements `fields` reads.
 template <class One, class Fields>
 Part<std::vector<One>> part_of(ByteReader& from, Fields fields) {
   std::vector<One> all;
