@@ -79,12 +79,11 @@ TEST_P(MathsSpecimen, LooksAsItDid) {
 
 std::string page_name(const testing::TestParamInfo<Page>& tested) { return tested.param.name; }
 
-INSTANTIATE_TEST_SUITE_P(Window, MathsSpecimen,
-                         testing::Values(Page{"light", "1366x900", "--scale 1", ""},
-                                         Page{"large", "1900x1190", "--scale 1.5", ""},
-                                         Page{"dark", "1366x900", "--scale 1",
-                                              "click menu\nclick menu/view\nclick menu/dark-theme\nwait idle\n"}),
-                         page_name);
+INSTANTIATE_TEST_SUITE_P(
+    Window, MathsSpecimen,
+    testing::Values(Page{"light", "1366x900", "--scale 1", ""}, Page{"large", "1900x1190", "--scale 1.5", ""},
+                    Page{"dark", "1366x900", "--scale 1", "click menu/view\nclick menu/dark-theme\nwait idle\n"}),
+    page_name);
 
 /// Ink that touches no edge of the picture: a script or another small sign that stands alone.
 bool holds_a_sign(const Picture& part) {

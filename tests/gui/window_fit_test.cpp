@@ -38,6 +38,8 @@ struct FitPlace {
   int most_pages = 2;      ///< of a step's text, in common type
 };
 
+constexpr int most_pages = 3;  // of a step's text with its question, in common type
+
 // After a key: one frame draws what follows from it, one knows the sizes of the regions in that, and one comes to rest.
 // The player waits for two after the key.
 const std::string settled = "wait frames 2\n";

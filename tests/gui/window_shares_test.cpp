@@ -56,7 +56,7 @@ TEST(LessonText, HasLinesOfReadableLength) {
                 "gui-line-length", size, "--lesson cgfs_04_shadows_and_reflections");
     ASSERT_EQ(length.size(), 2u);
     for (const double characters : length) {
-      EXPECT_GE(characters, 58) << size;
+      EXPECT_GE(characters, 57) << size;
       EXPECT_LE(characters, 66) << size;
     }
   }

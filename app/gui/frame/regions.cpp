@@ -30,15 +30,14 @@ float folded_height() { return ImGui::GetFrameHeight() + px(4); }
 
 // Below it the list of options would have no line of its own.
 constexpr double least_options_height = 280;
-constexpr float most_of_question = 0.65f;  // of the height of the text's column
 
-// The lesson's text ends so far from its region's right end, which lies between it and the pictures.
-constexpr double text_margin = 12, text_overlap = 8;
+// Between a lesson's text and the pictures, besides the margins that both have.
+constexpr double text_margin = 12, narrow_text = 480, text_overlap = 8;  // a narrow text needs them for its lines
 
 /// The width at which a text in the body's type has 62 characters to the line, with the column's margins.
 float reading_width() {
   constexpr std::string_view measure = "The light of a point is the sum of all that reaches it, and on";  // 62
-  return text_width(measure) + px(2 * text_margin - text_overlap);
+  return text_width(measure) + px(text_margin + 2 * region_padding);
 }
 
 /// Above and below a picture that is not narrow.
@@ -127,39 +126,27 @@ Panel& Regions::staged() const {
   return panel(stage.empty() || stage == pictures_stage ? region_names::right : stage);
 }
 
-/// Below the text, where the step asks before it shows; returns what room is left.
-Area Regions::above_question(const Area& area) {
-  const LessonQuestions& asked = lessons_.questions;
-  const bool asks = my_.pixel.asks(), by_lesson = asked.asked_beside_text(session_);
+/// Sets the question that the lesson's text asks: its step's, or that of Predict.
+void Regions::ask_in_text() {
+  const bool asks = my_.pixel.asks(), by_lesson = lessons_.questions.asked_beside_text(session_);
   // Exploring, a question that no lesson asks is in the place of the pixel's story.
   const bool pending = asks && (by_lesson || session_.document().mode != ScreenMode::explore);
-  if (!pending && !by_lesson) return area;
-  const float top = std::round(area.max.y - std::min(question_height_, area.height() * most_of_question));
-  question({{area.min.x, top}, area.max}, pending);
-  return {area.min, {area.max.x, top}};
+  lessons_.ask = nullptr;
+  if (pending || by_lesson) lessons_.ask = [this, pending] { question(pending); };
 }
 
-/// As high as it was when it was drawn last; what is higher than its place can be scrolled.
-void Regions::question(const Area& area, bool pending) {
-  begin_region(session_, "question", area);
-  ImGui::BeginChild("scroll");
-  const float top = ImGui::GetCursorPosY();
+void Regions::question(bool pending) {
   LessonQuestions& asked = lessons_.questions;
-  bool turned = false;
-  if (asked.asked_beside_text(session_) &&
-      (pending ? asked.question()->kind != AskKind::pixel : asked.bug_shown(session_)))
-    turned =
-        ask_lesson_question(session_, asked, lessons_.column.shared ? AskPlace::below_text : AskPlace::beside_tool);
-  else if (pending)
+  const bool in_words = asked.asked_beside_text(session_) &&
+                        (pending ? asked.question()->kind != AskKind::pixel : asked.bug_shown(session_));
+  if (in_words) {
+    const AskPlace place = lessons_.column.shared ? AskPlace::below_text : AskPlace::beside_tool;
+    if (ask_lesson_question(session_, asked, place)) turn_column(lessons_.column);
+  } else if (pending) {
     predict_panel(session_, my_.pixel.predict);
-  else
+  } else {
     way_back_to_question(session_, asked);
-  const float height = ImGui::GetCursorPosY() - top + px(20);
-  if (std::abs(height - question_height_) > 1) redraw_after(0);
-  question_height_ = height;
-  ImGui::EndChild();
-  ImGui::EndChild();
-  if (turned) turn_column(lessons_.column);
+  }
 }
 
 void Regions::lesson_text(const Area& area) {
@@ -175,8 +162,9 @@ void Regions::lesson_text(const Area& area) {
 
 /// The text of the open lesson, whose title may be shown elsewhere.
 void Regions::titled_text(const Area& area, const std::string& title) {
-  Area text{area.min, {area.max.x + px(text_overlap), area.max.y}};
-  text = above_question(text);
+  const float margin = area.width() < px(narrow_text) ? -px(text_overlap) : px(text_margin);
+  const Area text{area.min, {area.max.x - margin, area.max.y}};
+  ask_in_text();
   begin_region(session_, region_names::lesson, text, title);
   panel(region_names::lesson).draw({.filled = session_.document().layout.filled == region_names::lesson});
   ImGui::EndChild();
@@ -416,14 +404,15 @@ void Regions::panel_in(Panel& panel, std::string_view region, const Area& area) 
 
 /// A lesson's text and the options or the history, whichever are open.
 void Regions::left(const Area& area, bool has_options) {
+  ask_in_text();
   if (lessons_.shelf.open() && !has_options)
-    return panel_in(panel(region_names::lesson), region_names::lesson, above_question(area));
+    return panel_in(panel(region_names::lesson), region_names::lesson, area);
   Area options = area;
   if (lessons_.shelf.open()) {
     const float height = area.height(), grip = px(6);
     float divide = std::round(std::min(height * lesson_share_, height - px(least_options_height)));
     const Area upper{area.min, {area.max.x, area.min.y + divide}};
-    panel_in(panel(region_names::lesson), region_names::lesson, above_question(upper));
+    panel_in(panel(region_names::lesson), region_names::lesson, upper);
     if (divider("split/lesson", SplitterAxis::up_down, {area.min.x, area.min.y + divide}, area.width(), divide,
                 height * 0.2f, height * 0.8f))
       lesson_share_ = divide / height;

@@ -38,8 +38,8 @@ class Regions {
   void drawer(const Area& area);
   bool tool(Panel& panel, const Context& context);
   void stage(const Area& area, bool folded);
-  void question(const Area& area, bool pending);
-  Area above_question(const Area& area);
+  void ask_in_text();
+  void question(bool pending);
   void lesson_text(const Area& area);
   void titled_text(const Area& area, const std::string& title);
   void column(const Area& area);
@@ -61,7 +61,6 @@ class Regions {
   Panels& my_;
   LessonReading& lessons_;
   const PanelList& panels_;
-  float question_height_ = 270;  ///< of a lesson's question with its answers, window pixels
   bool offers_first_look_ = false, answered_ = false, asks_in_line_ = false;
   float lesson_share_ = 0.6f;  ///< of the left region's height, while a lesson is open
 };

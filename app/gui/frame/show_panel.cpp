@@ -1,10 +1,19 @@
 #include "gui/frame/show_panel.h"
 
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "gui/theme/theme.h"
+
 namespace ps::gui {
 namespace {
 
-constexpr double opened_share = 0.42;  // of the window's height
-
+/// The share of the height that the drawer opens with: large type needs more of a low window.
+double opened_share() {
+  constexpr double share = 0.45, least = 250;  // least: of the whole window, pixels at scale 1
+  return std::max(share, static_cast<double>(px(least) / ImGui::GetIO().DisplaySize.y));
+}
 }  // namespace
 
 bool bottom_is_open(const Document& document) {
@@ -15,7 +24,7 @@ void open_bottom(Session& session, bool open) {
   if (open == bottom_is_open(session.document())) return;
   session.navigate([&](Document& document) {
     if (document.layout.filled == region_names::bottom) document.layout.filled.clear();
-    document.layout.bottom = open ? opened_share : 0;
+    document.layout.bottom = open ? opened_share() : 0;
   });
 }
 

@@ -122,6 +122,13 @@ std::vector<TextLine> column_of(const Session& session, LessonReading& state, co
   }
   lay_out(own.title, {}, Face::heading, width, lines);
   for (const TextBlock& block : step.blocks) add(block, mark_of(block));
+  if (state.ask) {
+    TextLine asks;
+    asks.gap = px(12);
+    asks.height = std::min(state.ask_height, ImGui::GetContentRegionAvail().y);  // what is higher can be scrolled
+    asks.begins_block = asks.asks = true;
+    lines.push_back(std::move(asks));
+  }
   if (state.verdict) lay_out_verdict(own, *state.verdict, width, lines);
   if (!state.holds_back)
     for (const TextBlock& hint : step.hints) add(hint, "→");
@@ -171,6 +178,15 @@ void turn_to_verdict(const std::vector<TextLine>& lines, const std::vector<std::
   turn_to_line(lines, line, starts, state);
 }
 
+/// A script that looks for a control of the question turns to its page.
+void turn_to_question(const std::vector<TextLine>& lines, const std::vector<std::size_t>& starts,
+                      LessonReading& state) {
+  const std::string& wanted = controls().revealing();
+  if (!wanted.starts_with("question/") && !wanted.starts_with("predict/")) return;
+  turn_to_line(lines, std::find_if(lines.begin(), lines.end(), [](const TextLine& each) { return each.asks; }), starts,
+               state);
+}
+
 /// The wheel turns pages, unless it belongs to a control under the pointer.
 void turn_by_wheel(ReadPage& read) {
   const float wheel = ImGui::GetIO().MouseWheel;
@@ -191,8 +207,15 @@ void ask_again_button(LessonReading& state) {
              {.tooltip = "The question is open again, with this step's pixel and options.", .disabled = {}});
 }
 
-void draw_page(const PanelHost& host, LessonReading& state, const std::vector<TextLine>& lines,
-               const std::vector<ClaimLayout>& measured) {
+/// Where the question has its place on the page.
+struct QuestionPlace {
+  ImVec2 at;
+  ImVec2 size;
+};
+
+/// Answers where the question is to be drawn, if this page has it.
+std::optional<QuestionPlace> draw_page(const PanelHost& host, LessonReading& state, const std::vector<TextLine>& lines,
+                                       const std::vector<ClaimLayout>& measured) {
   Session& session = host.session;
   std::vector<PagePart> parts;
   parts.reserve(lines.size());
@@ -204,6 +227,7 @@ void draw_page(const PanelHost& host, LessonReading& state, const std::vector<Te
   read.pages = static_cast<int>(starts.size());
   turn_to_option(lines, starts, state);
   turn_to_verdict(lines, starts, state);
+  turn_to_question(lines, starts, state);
   read.page = std::clamp(read.page, 0, read.pages - 1);
   const auto page = static_cast<std::size_t>(read.page);
   const std::size_t end = page + 1 < starts.size() ? starts[page + 1] : lines.size();
@@ -212,12 +236,15 @@ void draw_page(const PanelHost& host, LessonReading& state, const std::vector<Te
                                            [](const TextLine& line) { return line.claim.has_value(); });
   if (claims_in_sight && state.claims.measure_changed(session)) redraw_after(0);  // these lines are of before
   std::optional<LinkTarget> followed;
+  std::optional<QuestionPlace> question;
   ImVec2 at = ImGui::GetCursorScreenPos();
   for (std::size_t i = starts[page]; i < end; ++i) {
     if (i > starts[page]) at.y += lines[i].gap;
     ImGui::SetCursorScreenPos(at);
     if (lines[i].judged) draw_judged_bar(lines[i], at, i == starts[page] || !lines[i - 1].judged);
-    if (lines[i].asks_again)
+    if (lines[i].asks)
+      question = QuestionPlace{at, {ImGui::GetContentRegionAvail().x, lines[i].height}};
+    else if (lines[i].asks_again)
       ask_again_button(state);
     else if (lines[i].claim)
       claim_line(session, state.claims, *lines[i].claim, measured.at(*lines[i].claim));
@@ -226,6 +253,22 @@ void draw_page(const PanelHost& host, LessonReading& state, const std::vector<Te
     at.y += lines[i].height;
   }
   if (followed) host.send(*followed);
+  return question;
+}
+
+/// The question in its place, behind a bar of its own, so that it is not taken for text.
+void draw_question(LessonReading& state, const QuestionPlace& place) {
+  constexpr double bar = 3, inset = 12, below = 8;
+  ImGui::SetCursorScreenPos({place.at.x + px(inset), place.at.y});
+  ImGui::BeginChild("question", {place.size.x - px(inset), place.size.y});
+  const float top = ImGui::GetCursorPosY();
+  state.ask();
+  const float height = ImGui::GetCursorPosY() - top + px(below);
+  ImGui::EndChild();
+  ImGui::GetWindowDrawList()->AddRectFilled(place.at, {place.at.x + px(bar), place.at.y + place.size.y - px(below)},
+                                            colour_u32(palette().line_strong));
+  if (std::abs(height - state.ask_height) > 1) redraw_after(0);
+  state.ask_height = height;
 }
 
 /// "step 2 of 7, page 1 of 2", and the same in fewer signs, the shortest last.
@@ -257,16 +300,16 @@ void buttons(Session& session, LessonReading& state, const Lesson& lesson, int i
   const std::vector<std::string> places = place_texts(index, count, read);
   const float words = button_width("Back") + button_width("Next") + button_width("Again") + button_width("×");
   const bool narrow = words + 3 * space + px(6) + small_width(places[1]) > room;
-  int target = index;
+  const bool first = index == 0 && read.page == 0, last = index + 1 == count && read.page + 1 >= read.pages;
+  int by = 0;
   if (button("before", narrow ? "‹" : "Back", Emphasis::plain,
-             {.tooltip = "The previous step (Shift Page Up). Page Up reads back.",
-              .disabled = index == 0 ? "This is the first step." : ""}))
-    target = index - 1;
+             {.tooltip = "The page before, then the step before (Page Up; Shift Page Up: always the step).",
+              .disabled = first ? "This is the beginning of the lesson." : ""}))
+    by = -1;
   ImGui::SameLine();
-  if (button("next", narrow ? "›" : "Next", Emphasis::primary,
-             {.tooltip = "The next step (Enter or Shift Page Down). Page Down reads on.",
-              .disabled = index + 1 == count ? "This is the last step." : ""}))
-    target = index + 1;
+  const std::string_view on =
+      last ? "The next lesson." : "The next page, then the next step (Page Down; Enter: always the step).";
+  if (button("next", narrow ? "›" : "Next", Emphasis::primary, {.tooltip = on, .disabled = {}})) by = 1;
   ImGui::SameLine();
   if (button("again", narrow ? "↺" : "Again", Emphasis::quiet,
              {.tooltip = "Puts this step's settings back.", .disabled = {}})) {
@@ -287,7 +330,10 @@ void buttons(Session& session, LessonReading& state, const Lesson& lesson, int i
   ImGui::PopStyleColor();
   if (!place.empty()) controls().record("place", places.front());
   tooltip(places.front());
-  if (target != index) go_to_step(session, lesson.name, target);
+  if (last && by > 0)
+    move_lesson(session, 1);
+  else if (by != 0)
+    read_lesson(session, state, by);
   if (close) close_lesson(session);
 }
 
@@ -310,7 +356,6 @@ LessonPanel::LessonPanel(const PanelHost& host)
       state(host) {}
 
 bool LessonPanel::draw(const Context&) {
-  const NameScope scope("lesson");
   const Lesson* lesson = state.shelf.open();
   if (!lesson || lesson->steps.empty()) return false;
   const int index = std::clamp(session_.document().step, 0, static_cast<int>(lesson->steps.size()) - 1);
@@ -320,10 +365,16 @@ bool LessonPanel::draw(const Context&) {
   ImGui::BeginChild("text", {0, -(ImGui::GetFrameHeightWithSpacing() + px(2))}, false,
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   turn_by_wheel(state.text);
-  const std::vector<TextLine> lines = column_of(session_, state, *lesson, index, own);
-  draw_page(host_, state, lines, own.measured);
+  std::optional<QuestionPlace> question;
+  {
+    const NameScope scope("lesson");
+    const std::vector<TextLine> lines = column_of(session_, state, *lesson, index, own);
+    question = draw_page(host_, state, lines, own.measured);
+  }
+  if (question && state.ask) draw_question(state, *question);  // its controls have names of their own
   ImGui::EndChild();
   note_read(state, *lesson, index, state.text);
+  const NameScope scope("lesson");
   buttons(session_, state, *lesson, index);
   return false;
 }

@@ -58,6 +58,8 @@ struct LessonReading {
   bool holds_back = false;
   bool blank = false;        ///< the presenter's window is black, so that all look at the speaker
   bool ask_again = false;    ///< was clicked, until the next frame
+  std::function<void()> ask;           ///< draws the open question with its controls; empty while none is asked
+  float ask_height = 200;              ///< that it took when it was drawn last, window pixels
   std::string shown_option;  ///< the page with its controls is to be turned to, once
 };
 

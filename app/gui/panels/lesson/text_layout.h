@@ -43,6 +43,7 @@ struct TextLine {
   const Figure* figure = nullptr;    ///< in place of pieces; beside a caption, which has its words
   std::optional<std::size_t> claim;  ///< in place of pieces: what is measured for this claim of the step
   std::optional<bool> judged;        ///< of an answer: a bar beside it shows whether it was right
+  bool asks = false;                 ///< in place of pieces: the step's question, with the controls for its answer
   bool asks_again = false;           ///< in place of pieces: the button that opens the step's question again
 };
 

@@ -187,7 +187,7 @@ void predict_panel(Session& session, PredictState& state) {
   if (!pixel) return;
   const auto story = session.story(side);
   {
-    const FontScope font(Face::heading);
+    const FontScope font(Face::bold);
     ImGui::PushTextWrapPos(0);
     value_text("question", state.words.empty() ? sentence_of(state.question) : state.words);
     ImGui::PopTextWrapPos();
