@@ -25,7 +25,7 @@ const std::vector<Choice>& channel_choices() {
   return choices;
 }
 
-/// What stands over a side: the words of the technique that A and B compare, or else the settings.
+/// The words over a side: those of the technique that A and B compare, or else the settings.
 PictureTitle title_of(Session& session, Side side) {
   if (const auto file = side == Side::b ? session.picture_b() : nullptr) {
     const std::string name = "file " + std::filesystem::path(file->path).filename().string();

@@ -5,7 +5,7 @@
 
 namespace ps::gui {
 
-/// What stands over a picture.
+/// The words over a picture.
 struct PictureTitle {
   std::string differing;  ///< from the other picture: "shading: flat"; alone or where both are equal all that there is
   std::string brief;      ///< the same as values alone: "flat"
