@@ -405,8 +405,7 @@ void Regions::panel_in(Panel& panel, std::string_view region, const Area& area) 
 /// A lesson's text and the options or the history, whichever are open.
 void Regions::left(const Area& area, bool has_options) {
   ask_in_text();
-  if (lessons_.shelf.open() && !has_options)
-    return panel_in(panel(region_names::lesson), region_names::lesson, area);
+  if (lessons_.shelf.open() && !has_options) return panel_in(panel(region_names::lesson), region_names::lesson, area);
   Area options = area;
   if (lessons_.shelf.open()) {
     const float height = area.height(), grip = px(6);

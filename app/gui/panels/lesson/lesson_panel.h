@@ -56,11 +56,11 @@ struct LessonReading {
   // As the frame began: a page turns to a verdict once the question has left its place to the text.
   std::optional<StepVerdict> verdict;
   bool holds_back = false;
-  bool blank = false;        ///< the presenter's window is black, so that all look at the speaker
-  bool ask_again = false;    ///< was clicked, until the next frame
-  std::function<void()> ask;           ///< draws the open question with its controls; empty while none is asked
-  float ask_height = 200;              ///< that it took when it was drawn last, window pixels
-  std::string shown_option;  ///< the page with its controls is to be turned to, once
+  bool blank = false;         ///< the presenter's window is black, so that all look at the speaker
+  bool ask_again = false;     ///< was clicked, until the next frame
+  std::function<void()> ask;  ///< draws the open question with its controls; empty while none is asked
+  float ask_height = 200;     ///< that it took when it was drawn last, window pixels
+  std::string shown_option;   ///< the page with its controls is to be turned to, once
 };
 
 /// The other one of the two is shown.

@@ -196,8 +196,8 @@ void both(Session& session, PixelPanelState& state, const std::array<std::shared
 void nothing_picked(Session& session) {
   ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
   ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(session.has_scene() ? "Click any pixel, in either picture: here stands how it got "
-                                               "its colour.\n\nThe arrow keys then go from pixel to pixel."
+  ImGui::TextUnformatted(session.has_scene() ? "Click any pixel, in either picture: how it got its colour "
+                                               "is shown here.\n\nThe arrow keys then go from pixel to pixel."
                                              : "Nothing is open.");
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
