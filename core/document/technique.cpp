@@ -114,7 +114,9 @@ Document without_technique(const Document& now) {
   if (!now.before_technique) then.b = then.a;
   then.mode = now.mode;
   then.layout = now.layout;
-  then.compare = now.compare;
+  // A comparison shows two pictures; the way back is to one of them alone, if that was shown.
+  const bool alone = then.compare == CompareMode::only_a || then.compare == CompareMode::only_b;
+  if (!alone) then.compare = now.compare;
   return then;
 }
 

@@ -129,7 +129,7 @@ TEST(Provenance, StudiesKeepTheirColumnsFirst) {
   const ScratchFolder folder;
   const std::string chart = folder.file("chart");
   ASSERT_EQ(
-      run_cli(lens_command("chart", {"--sweep", "reflection-depth=0,1", "--repeats", "1", "--out", chart})).status, 0);
+      run_cli(lens_command("chart", {"--sweep", "samples-per-pixel=1,2", "--repeats", "1", "--out", chart})).status, 0);
   const auto rows = csv_lines(read_whole_file(chart + "/points.csv"));
   ASSERT_EQ(rows.size(), 3u);
   EXPECT_EQ(rows[0],
