@@ -67,7 +67,7 @@ void FileDialog::list_folder(std::optional<std::filesystem::path>& chosen) {
     controls().record("file/name/" + name, name);
   }
   if (found.folders.empty() && found.files.empty())
-    ImGui::TextUnformatted(fmt::format("No file here ends in {}.", fmt::join(question_.extensions, ", ")).c_str());
+    show_text(fmt::format("No file here ends in {}.", fmt::join(question_.extensions, ", ")));
   ImGui::EndChild();
 }
 
@@ -84,9 +84,7 @@ void FileDialog::draw() {
   ImGui::SetNextWindowSize({std::min(px(620), window.x - px(20)), 0});
   if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize)) return;
   std::optional<std::filesystem::path> chosen;
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  ImGui::TextWrapped("%s", folder_.string().c_str());
-  ImGui::PopStyleColor();
+  quiet_text(folder_.string());
   list_folder(chosen);
   std::array<char, 4096> buffer{};
   typed_.copy(buffer.data(), buffer.size() - 1);
@@ -101,8 +99,7 @@ void FileDialog::draw() {
   typed_ = buffer.data();
   controls().record("file/path", typed_);
   const std::string nothing = typed_.empty() ? "Choose a file or type its path." : "";
-  if (button("file/ok", question_.use == FileUse::open ? "Open" : "Save", Emphasis::primary,
-             {.tooltip = {}, .disabled = nothing}) ||
+  if (button("file/ok", question_.use == FileUse::open ? "Open" : "Save", Emphasis::primary, {.disabled = nothing}) ||
       (entered && !typed_.empty())) {
     const std::filesystem::path typed(typed_);
     chosen = typed.is_absolute() ? typed : folder_ / typed;

@@ -8,7 +8,6 @@
 #include "gui/panels/lesson/lesson_list.h"
 #include "gui/panels/lesson/lesson_panel.h"
 #include "gui/widgets/draw.h"
-#include "gui/widgets/tick.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -54,8 +53,7 @@ void MenuBar::lesson_entries(int lines_below) {
     for (const ListedLesson& lesson : listed_lessons()) {
       if (lesson.part != part) {
         part = lesson.part;
-        const FontScope font(Face::small);
-        ImGui::TextDisabled("%s", lesson.part.c_str());
+        show_text(lesson.part, {Face::small, true});
       }
       lesson_item(lesson);
     }
@@ -70,11 +68,10 @@ void MenuBar::lesson_menu() {
   menu_action(actions_, "lessons", MenuLabel::name);
   ImGui::Separator();
   lesson_entries(static_cast<int>(below.size() + lessons_left_out().size()));
-  for (const LeftOutLesson& lesson : lessons_left_out()) {
-    const FontScope font(Face::small);
-    ImGui::TextDisabled("Left out: %s needs renderer = %s, which this program was built without.", lesson.name.c_str(),
-                        lesson.renderer.c_str());
-  }
+  for (const LeftOutLesson& lesson : lessons_left_out())
+    show_text(fmt::format("Left out: {} needs renderer = {}, which this program was built without.", lesson.name,
+                          lesson.renderer),
+              {Face::small, true});
   ImGui::Separator();
   for (const char* name : below) menu_action(actions_, name, MenuLabel::name);
   end_menu();

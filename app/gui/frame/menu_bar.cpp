@@ -10,7 +10,7 @@
 #include "gui/input/key_hint.h"
 #include "gui/panels/lesson/first_look.h"
 #include "gui/panels/lesson/lesson_panel.h"
-#include "gui/widgets/widgets.h"
+#include "gui/widgets/draw.h"
 
 namespace ps::gui {
 
@@ -125,8 +125,7 @@ constexpr std::array modes{
 
 float MenuBar::compare_buttons_width() const {
   float width = px(12);
-  for (const auto& mode : modes)
-    width += ImGui::CalcTextSize(mode.label).x + 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetStyle().ItemSpacing.x;
+  for (const auto& mode : modes) width += button_width(mode.label) + ImGui::GetStyle().ItemSpacing.x;
   return width + px(12);
 }
 

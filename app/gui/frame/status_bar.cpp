@@ -78,14 +78,14 @@ void news_line(const std::string& news, float width) {
                                             colour_u32(palette().line_strong));
   ImGui::PushClipRect(at, {at.x + width, at.y + 2 * height}, true);
   ImGui::SetCursorScreenPos({at.x + px(10), at.y});
-  ImGui::TextUnformatted(news.c_str());
+  show_text(news);
   ImGui::PopClipRect();
   tooltip(news);
   controls().record("news", at, {at.x + width, at.y + height}, news);
 }
 
 /// As many of a text's parts, between wide blanks, as fit; as many of the first one's words, where that is too long.
-std::string whole_parts(std::string text, float room) {
+std::string parts_in_room(std::string text, float room) {
   while (text_width(text) > room) {
     const std::size_t last = text.rfind("   ");
     if (last == std::string::npos) break;
@@ -97,24 +97,18 @@ std::string whole_parts(std::string text, float room) {
 
 Face face_of(const StatusHint& hint) { return hint.kind == StatusHint::Kind::task ? Face::bold : Face::body; }
 
-float hint_width(const StatusHint& hint) {
-  const FontScope font(face_of(hint));
-  return text_width(hint.text);
-}
+float hint_width(const StatusHint& hint) { return text_width(hint.text, face_of(hint)); }
 
 void hint_line(const StatusHint& hint, float room) {
-  const bool task = hint.kind == StatusHint::Kind::task;
-  const FontScope font(face_of(hint));
-  ImGui::PushStyleColor(ImGuiCol_Text, task ? palette().text : palette().text_quiet);
-  ImGui::TextUnformatted(whole_parts(hint.text, room).c_str());
-  ImGui::PopStyleColor();
+  const TextScope look({face_of(hint), hint.kind != StatusHint::Kind::task});
+  show_text(parts_in_room(hint.text, room));
   tooltip(hint.text);
   controls().record("hint", hint.text);
 }
 
 void hover_line(const std::string& hover, float room) {
   const FontScope font(Face::mono);
-  ImGui::TextUnformatted(whole_parts(hover, room).c_str());
+  show_text(parts_in_room(hover, room));
   controls().record("hover", hover);
 }
 
@@ -165,7 +159,7 @@ void status_bar(Session& session, const PicturesState& pictures, StatusBarState&
   const float progress_width = std::min(px(330), std::max(px(290), width / 2));
   const float room = width - (shown ? progress_width + gap : 0);
   const std::string news = newest_news(session);
-  const float news_width = news.empty() ? 0 : std::min(ImGui::CalcTextSize(news.c_str()).x + px(10), room * 0.6f);
+  const float news_width = news.empty() ? 0 : std::min(text_width(news) + px(10), room * 0.6f);
 
   const std::string hover = flying(pictures) ? camera_text(session.view().camera) : hover_text(session, pictures);
   ImGui::AlignTextToFramePadding();

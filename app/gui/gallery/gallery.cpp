@@ -77,7 +77,7 @@ class Gallery : public Content {
     tab_row("tabs", tabs, tab_);
     if (tab_ == 0) draw_options();
     if (tab_ == 1) draw_table();
-    if (tab_ == 2) ImGui::TextWrapped("%s", sample_text);
+    if (tab_ == 2) show_paragraph(sample_text);
     if (tab_ == 3) draw_specimen();
     ImGui::EndChild();
     ImGui::End();

@@ -102,18 +102,11 @@ void CommandPalette::draw(const Actions& actions) {
     const float right = at.x + ImGui::GetContentRegionAvail().x, bottom = at.y + ImGui::GetTextLineHeight();
     if (ImGui::Selectable(("##" + one.name).c_str(), i == selected_) && !dead) chosen = one.name;
     controls().record(one.name, one.label, !dead);
-    float note_left = right;
-    {
-      const FontScope mono(Face::mono);
-      note_left -= text_width(one.note);
-      draw_text({note_left, at.y}, {right, bottom}, one.note, palette().text, 0);
-    }
+    const float note_left = right - text_width(one.note, Face::mono);
+    draw_text({note_left, at.y}, {right, bottom}, one.note, palette().text, 0, Face::mono);
     draw_text(at, {note_left - px(12), bottom}, one.label, dead ? palette().text_disabled : palette().text, 0);
   }
-  if (count == 0) {
-    ImGui::TextColored(palette().text_quiet, "%s", nothing_found);
-    controls().record("nothing-found", nothing_found);
-  }
+  if (count == 0) value_paragraph("nothing-found", nothing_found, {.quiet = true});
   if (enter && count > 0) chosen = found[static_cast<std::size_t>(selected_)].name;
   const bool lost = !just_opened_ && !ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
   if (lost || enter || !chosen.empty() || key_pressed(Key::escape)) open_ = false;

@@ -1,6 +1,8 @@
 #pragma once
 #include <imgui.h>
 
+#include <optional>
+
 namespace ps::gui {
 
 enum class Brightness { light, dark };
@@ -80,10 +82,10 @@ inline float px(double at_scale_1) { return static_cast<float>(at_scale_1 * them
 inline ImU32 colour_u32(const ImVec4& c, double alpha = 1) {
   return ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, c.w * static_cast<float>(alpha)});
 }
-/// ImGui::PushFont for one scope.
+/// ImGui::PushFont for one scope; without a face the present font stays.
 class FontScope {
  public:
-  explicit FontScope(Face face) { ImGui::PushFont(theme().font(face)); }
+  explicit FontScope(std::optional<Face> face) { ImGui::PushFont(face ? theme().font(*face) : ImGui::GetFont()); }
   ~FontScope() { ImGui::PopFont(); }
   FontScope(const FontScope&) = delete;
   FontScope& operator=(const FontScope&) = delete;

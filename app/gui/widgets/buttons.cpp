@@ -7,19 +7,9 @@
 namespace ps::gui {
 namespace {
 
-bool push_button_shape(std::string_view name, std::string_view label, const ControlStyle& style, const ImVec4& fill,
-                       const ImVec4& text, const ImVec4* edge) {
-  const ImVec2 padding = ImGui::GetStyle().FramePadding;
-  const float width = style.width > 0 ? style.width : text_width(label) + 2 * padding.x;
-  const bool clicked = hit_area(name, {std::floor(width), ImGui::GetFrameHeight()}, style);
-  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
-  const ImVec4 colour = state_colour(fill, style);
-  if (colour.w > 0)
-    ImGui::GetWindowDrawList()->AddRectFilled(min, max, colour_u32(colour), ImGui::GetStyle().FrameRounding);
-  if (edge) outline(min, max, *edge);
-  const float inset = std::min(padding.x, (max.x - min.x) / 8);
-  draw_text({min.x + inset, min.y}, {max.x - inset, max.y}, label, style.disabled.empty() ? text : text_colour(style),
-            0.5f);
+bool framed_button(std::string_view name, std::string_view label, const ControlStyle& style, const ButtonLook& look) {
+  const float width = style.width > 0 ? std::floor(style.width) : button_width(label);
+  const bool clicked = word_button(name, label, width, look, style);
   controls().record(name, std::string(label), style.disabled.empty());
   style_tooltip(style);
   return clicked;
@@ -41,59 +31,46 @@ bool button(std::string_view name, std::string_view label, Emphasis emphasis, co
   const Palette& p = palette();
   switch (emphasis) {
   case Emphasis::plain:
-    return push_button_shape(name, label, style, p.field, p.text, &p.line_strong);
+    return framed_button(name, label, style, {.fill = p.field, .edge = p.line_strong});
   case Emphasis::primary:
-    return push_button_shape(name, label, style, p.selection, p.text, &p.text_quiet);
+    return framed_button(name, label, style, {.fill = p.selection, .edge = p.text_quiet});
   case Emphasis::quiet:
-    return push_button_shape(name, label, style, ImVec4{0, 0, 0, 0}, p.text, nullptr);
+    return framed_button(name, label, style, {});
   }
   return false;
 }
 
 bool button_on_off(std::string_view name, std::string_view label, bool on, const ControlStyle& style) {
   const Palette& p = palette();
-  const bool clicked =
-      push_button_shape(name, label, style, on ? p.selection : p.field, p.text, on ? &p.text_quiet : &p.line);
-  if (on) {  // a bar too: never by colour alone
-    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
-    ImGui::GetWindowDrawList()->AddRectFilled({min.x + px(8), max.y - px(3)}, {max.x - px(8), max.y - px(1)},
-                                              colour_u32(p.text));
-  }
+  const bool clicked = framed_button(
+      name, label, style, {.fill = on ? p.selection : p.field, .edge = on ? p.text_quiet : p.line, .on = on});
   controls().record(name, on ? "on" : "off", style.disabled.empty());
   return clicked;
 }
 
+bool fill_button(bool filled, std::string_view help) {
+  same_line_if_room(button_width("Fill"), px(4));
+  return button_on_off("fill", "Fill", filled, {.tooltip = help});
+}
+
+void svg_button(const std::function<void()>& save) {
+  if (!save) return;
+  same_line_if_room(button_width("Save SVG…"), px(2));
+  if (button("svg", "Save SVG…", Emphasis::quiet, {.tooltip = "Saves this view as a drawing."})) save();
+}
+
 bool toggle(std::string_view name, std::string_view label, bool& value, const ControlStyle& style) {
-  const Palette& p = palette();
-  const float height = ImGui::GetFrameHeight();
-  const float track_width = px(32), track_height = px(18);
-  const float gap = label.empty() ? 0 : ImGui::GetStyle().ItemInnerSpacing.x + px(2);
-  const bool clicked = hit_area(name, {track_width + gap + text_width(label), height}, style);
+  ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, line_thickness());
+  ImGui::PushStyleColor(ImGuiCol_Border, palette().text_quiet);
+  ImGui::PushStyleColor(ImGuiCol_Text, text_colour(style));
+  ImGui::PushStyleColor(ImGuiCol_CheckMark, text_colour(style));
+  const std::string words(label);
+  bool ticked = value;
+  const bool clicked = item(name, style, [&] { return ImGui::Checkbox(words.c_str(), &ticked); });
   if (clicked) value = !value;
-  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
-  const bool dead = !style.disabled.empty();
-  const bool hovered = ImGui::IsItemHovered() && !dead;
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const float y = std::floor((min.y + max.y - track_height) / 2), radius = track_height / 2;
-  const ImVec2 track_min{min.x, y}, track_max{min.x + track_width, y + track_height};
-  const ImVec4 ink = dead ? p.text_disabled : p.text;
-  if (value)
-    draw.AddRectFilled(track_min, track_max,
-                       colour_u32(dead      ? p.line_strong
-                                  : hovered ? p.text_quiet
-                                            : p.text),
-                       radius);
-  else
-    draw.AddRectFilled(track_min, track_max, colour_u32(hovered ? p.field_hover : p.field), radius);
-  draw.AddRect(track_min, track_max, colour_u32(dead ? p.line_strong : p.text_quiet), radius, 0, px(1.3));
-  const float knob_x = value ? track_max.x - radius : track_min.x + radius;
-  draw.AddCircleFilled({knob_x, y + radius}, radius - px(4),
-                       colour_u32(value  ? p.field
-                                  : dead ? p.line_strong
-                                         : ink),
-                       20);
-  draw_text({min.x + track_width + gap, min.y}, {max.x + 1, max.y}, label, ink, 0);
-  controls().record(name, value ? "on" : "off", !dead);
+  ImGui::PopStyleColor(3);
+  ImGui::PopStyleVar();
+  controls().record(name, value ? "on" : "off", style.disabled.empty());
   style_tooltip(style);
   return clicked;
 }

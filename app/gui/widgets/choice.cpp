@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <imgui_internal.h>  // where a list has room
 
 #include <algorithm>
 #include <cmath>
@@ -34,33 +35,23 @@ float segments_width(std::span<const Choice> choices) {
 bool segments(std::string_view name, std::span<const Choice> choices, int& index, float width,
               const ControlStyle& style) {
   const Palette& p = palette();
-  float total = 0;
-  for (const Choice& choice : choices) total += segment_width(choice);
-  const float stretch = std::max(0.0f, width - total) / static_cast<float>(choices.size());
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float stretch = std::max(0.0f, width - segments_width(choices)) / static_cast<float>(choices.size());
   const ImVec2 start = ImGui::GetCursorScreenPos();
   const ImVec2 end{start.x + width, start.y + ImGui::GetFrameHeight()};
-  const float rounding = ImGui::GetStyle().FrameRounding;
-  draw.AddRectFilled(start, end, colour_u32(style.disabled.empty() ? p.field : p.panel), rounding);
+  ImGui::GetWindowDrawList()->AddRectFilled(start, end, colour_u32(style.disabled.empty() ? p.field : p.panel),
+                                            ImGui::GetStyle().FrameRounding);
   bool changed = false;
   ImGui::BeginGroup();
   for (std::size_t i = 0; i < choices.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, 0);
     const std::string part = part_name(name, choices[i].key);
     const bool chosen = static_cast<std::size_t>(index) == i;
-    if (hit_area(part, {segment_width(choices[i]) + stretch, ImGui::GetFrameHeight()}, style) && !chosen) {
+    const ButtonLook look{
+        .fill = chosen ? p.selection : ImVec4{0, 0, 0, 0}, .text = choice_colour(style, i), .on = chosen};
+    if (word_button(part, choices[i].label, segment_width(choices[i]) + stretch, look, style) && !chosen) {
       index = static_cast<int>(i);
       changed = true;
     }
-    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
-    const ImVec4 idle = chosen ? p.selection : ImVec4{0, 0, 0, 0};
-    draw.AddRectFilled(min, max, colour_u32(style.disabled.empty() ? state_colour(idle, style) : idle), rounding);
-    if (i > 0 && !chosen && static_cast<std::size_t>(index) + 1 != i)
-      draw.AddLine({min.x, min.y + px(6)}, {min.x, max.y - px(6)}, colour_u32(p.line));
-    draw_text(min, max, choices[i].label, choice_colour(style, i), 0.5f);
-    if (chosen)
-      draw.AddRectFilled({min.x + px(8), max.y - px(3)}, {max.x - px(8), max.y - px(1)},
-                         colour_u32(text_colour(style)));
     controls().record(part, chosen ? "on" : "off", style.disabled.empty());
     const ControlStyle own{.tooltip = style.tooltip.empty() ? choices[i].help : style.tooltip,
                            .disabled = style.disabled.empty() ? idle_reason(style, i) : style.disabled};
@@ -76,10 +67,10 @@ bool segments(std::string_view name, std::span<const Choice> choices, int& index
 bool drop_down(std::string_view name, std::span<const Choice> choices, int& index, float width,
                const ControlStyle& style, const FieldLook& look) {
   const Palette& p = palette();
-  const std::string popup = full_name(part_name(name, "##list"));
+  const ImGuiID list = ImGui::GetID(full_name(part_name(name, "##list")).c_str());
   const float height = std::max(look.height, ImGui::GetFrameHeight());
   const bool wanted = hit_area(name, {width, height}, style);
-  if (wanted && !ImGui::IsPopupOpen(popup.c_str())) ImGui::OpenPopup(popup.c_str());  // Enter closes an open list
+  if (wanted && !ImGui::IsPopupOpen(list, ImGuiPopupFlags_None)) ImGui::OpenPopup(list);  // Enter closes an open one
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRectFilled(min, max, colour_u32(state_colour(p.field, style)), ImGui::GetStyle().FrameRounding);
@@ -96,10 +87,9 @@ bool drop_down(std::string_view name, std::span<const Choice> choices, int& inde
       draw_lines({min.x + px(8), std::floor((min.y + max.y - text_height(text)) / 2)}, text,
                  choice_colour(style, chosen));
   }
-  const float x = max.x - arrow / 2, y = (min.y + max.y) / 2;
-  const ImU32 ink = colour_u32(style.disabled.empty() ? p.text_quiet : p.text_disabled);
-  draw.AddLine({x - px(4), y - px(2)}, {x, y + px(2)}, ink, px(1.5));
-  draw.AddLine({x, y + px(2)}, {x + px(4), y - px(2)}, ink, px(1.5));
+  const float scale = 0.6f, size = ImGui::GetFontSize();
+  ImGui::RenderArrow(&draw, {max.x - (arrow + size) / 2, (min.y + max.y - size * scale) / 2},
+                     colour_u32(style.disabled.empty() ? p.text_quiet : p.text_disabled), ImGuiDir_Down, scale);
   controls().record(name, std::string(choices[chosen].key), style.disabled.empty());
   ControlStyle own = style;
   if (own.disabled.empty()) own.disabled = idle_reason(style, chosen);
@@ -112,16 +102,7 @@ bool drop_down(std::string_view name, std::span<const Choice> choices, int& inde
     index = std::clamp(index + steps, 0, last);
     key_focus().use_steps();
   }
-  // Below the field, or above it where there is no room below.
-  const float list_height = static_cast<float>(choices.size()) * ImGui::GetTextLineHeightWithSpacing() +
-                            2 * ImGui::GetStyle().WindowPadding.y;
-  const float bottom = ImGui::GetIO().DisplaySize.y;
-  if (max.y + list_height + px(4) <= bottom || min.y < list_height)
-    ImGui::SetNextWindowPos({min.x, std::max(0.0f, std::min(max.y + px(2), bottom - list_height))});
-  else
-    ImGui::SetNextWindowPos({min.x, min.y - px(2)}, ImGuiCond_Always, {0, 1});
-  ImGui::SetNextWindowSizeConstraints({max.x - min.x, 0}, {px(700), px(700)});
-  if (!ImGui::BeginPopup(popup.c_str(), ImGuiWindowFlags_NoMove)) return changed;
+  if (!ImGui::BeginComboPopup(list, {min, max}, ImGuiComboFlags_HeightLargest)) return changed;
   if (key_focus().is_at(full_name(name)) && !ImGui::IsWindowAppearing()) {
     const int lit = std::clamp(index + key_focus().lines(), 0, last);
     changed = changed || lit != index;
@@ -167,9 +148,7 @@ bool tab_row(std::string_view name, std::span<const Choice> tabs, int& index) { 
 
 bool tab_row(std::string_view name, std::span<const Choice> tabs, std::span<const std::string_view> brief, int& index,
              float reserved) {
-  const Palette& p = palette();
   bool changed = false;
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec2 start = ImGui::GetCursorScreenPos();
   const float whole = ImGui::GetContentRegionAvail().x, room = whole - reserved;
   bool shortened = false;
@@ -186,10 +165,10 @@ bool tab_row(std::string_view name, std::span<const Choice> tabs, std::span<cons
   const FontScope font(tight ? Face::small : Face::body);
   shortened = tight && brief.size() == tabs.size() && row_width(px(8)) > room;
   const float margin = shortened ? px(5) : tight ? px(8) : px(22);
-  const float inset = std::min(px(8), margin / 2);  // of the bar below the open one
   const bool wraps = tight && row_width(margin) > room;
   ImGui::BeginGroup();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {std::min(px(8), margin / 2), ImGui::GetStyle().FramePadding.y});
   for (std::size_t i = 0; i < tabs.size(); ++i) {
     const float width = std::floor(std::min(text_width(label(i)) + margin, room));
     if (i > 0 && (!wraps || ImGui::GetItemRectMax().x + width <= start.x + room)) ImGui::SameLine(0, 0);
@@ -197,16 +176,11 @@ bool tab_row(std::string_view name, std::span<const Choice> tabs, std::span<cons
     const bool open = static_cast<std::size_t>(index) == i;
     const bool wanted_by_script =
         controls().revealing().starts_with(full_name(part) + "/") && !controls().revealing().empty();
-    const bool clicked = hit_area(part, {width, height}, {});
-    if ((clicked || wanted_by_script) && !open) {
+    const ButtonLook look{.text = open ? palette().text : palette().text_quiet, .height = height, .on = open};
+    if ((word_button(part, label(i), width, look, {}) || wanted_by_script) && !open) {
       index = static_cast<int>(i);
       changed = true;
     }
-    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
-    if (ImGui::IsItemHovered() && !open)
-      draw.AddRectFilled(min, {max.x, max.y - px(2)}, colour_u32(p.field_hover), ImGui::GetStyle().FrameRounding);
-    draw_text({min.x + px(2), min.y}, {max.x - px(2), max.y}, label(i), open ? p.text : p.text_quiet, 0.5f);
-    if (open) draw.AddRectFilled({min.x + inset, max.y - px(3)}, {max.x - inset, max.y}, colour_u32(p.text));
     controls().record(part, open ? "on" : "off");
     if (shortened && brief[i] != tabs[i].label)
       tooltip(fmt::format("{}: {}", tabs[i].label, tabs[i].help));
@@ -214,9 +188,10 @@ bool tab_row(std::string_view name, std::span<const Choice> tabs, std::span<cons
       tooltip(tabs[i].help);
   }
   ImGui::PopStyleVar();
+  ImGui::PopStyleVar();
   ImGui::EndGroup();
   const float bottom = ImGui::GetItemRectMax().y - 0.5f;
-  draw.AddLine({start.x, bottom}, {start.x + whole, bottom}, colour_u32(p.line));
+  ImGui::GetWindowDrawList()->AddLine({start.x, bottom}, {start.x + whole, bottom}, colour_u32(palette().line));
   const auto chosen = static_cast<std::size_t>(std::clamp<int>(index, 0, static_cast<int>(tabs.size()) - 1));
   controls().record(name, std::string(tabs[chosen].key));
   return changed;

@@ -1,75 +1,31 @@
 #include "gui/widgets/draw.h"
 
-#include "gui/widgets/key_focus.h"
-
 #include <imgui_internal.h>
 
 #include <algorithm>
 
 #include "gui/base/fit.h"
+#include "gui/widgets/key_focus.h"
 
 namespace ps::gui {
-namespace {
 
-constexpr float least_height = 0.8f;  // of a line: the rest is free above and below its letters
-
-}  // namespace
-
-void draw_text(ImVec2 min, ImVec2 max, std::string_view text, const ImVec4& colour, float align) {
-  if (text.empty()) return;
-  const char* begin = text.data();
-  const char* end = begin + text.size();
-  const ImVec2 size = ImGui::CalcTextSize(begin, end);
-  ImGui::PushStyleColor(ImGuiCol_Text, colour);
-  const float room = max.x - min.x;
-  const float y = std::floor((min.y + max.y - size.y) / 2);
-  const float x = std::floor(min.x + std::max(0.0f, room - size.x) * align);
-  if (size.x > room + 1 || size.y * least_height > max.y - min.y + 1) fit_watch().shortened(min, max, text);
-  if (size.x > room + 1)
-    ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), {x, y}, {max.x, max.y}, max.x, max.x, begin, end, &size);
-  else
-    ImGui::GetWindowDrawList()->AddText({x, y}, colour_u32(colour), begin, end);
-  ImGui::PopStyleColor();
-}
-
-std::string in_lines(std::string_view text, float width) {
-  std::string lines;
-  std::size_t line = 0;  // where the last one begins
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
-    const std::size_t before = lines.size();
-    lines += text.substr(at, end - at);
-    // The line was broken too late if this word does not fit: then its blank becomes the break.
-    if (before > line && text_width(std::string_view(lines).substr(line)) > width) {
-      lines[before - 1] = '\n';
-      line = before;
-    }
-    at = end + 1;
-    if (end == text.size()) break;
-    lines += text[end];
-    if (text[end] == '\n') line = lines.size();
-  }
-  return lines;
-}
-
-void value_paragraph(std::string_view name, std::string_view text) {
-  const std::string lines = in_lines(text, ImGui::GetContentRegionAvail().x);
-  ImGui::TextUnformatted(lines.data(), lines.data() + lines.size());
-  controls().record(name, std::string(text));
-}
-
-void quiet_text(const std::string& text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  ImGui::TextWrapped("%s", text.c_str());
-  ImGui::PopStyleColor();
+void draw_swatch(ImDrawList& list, ImVec2 corner, ImVec2 size, ImU32 colour) {
+  const ImVec2 end{corner.x + size.x, corner.y + size.y};
+  list.AddRectFilled(corner, end, colour, px(3));
+  list.AddRect(corner, end, colour_u32(palette().line_strong), px(3));
 }
 
 void swatch(const std::array<int, 3>& levels, ImVec2 size) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  auto& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, IM_COL32(levels[0], levels[1], levels[2], 255), px(3));
-  list.AddRect(at, {at.x + size.x, at.y + size.y}, colour_u32(palette().line_strong), px(3));
+  if (size.x <= 0) size = {ImGui::GetTextLineHeight(), ImGui::GetTextLineHeight()};
+  draw_swatch(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(), size,
+              IM_COL32(levels[0], levels[1], levels[2], 255));
   ImGui::Dummy(size);
+}
+
+void draw_tick(ImVec2 row, float height) {
+  const float size = px(13);
+  ImGui::RenderCheckMark(ImGui::GetWindowDrawList(), {row.x + px(3), row.y + (height - size) / 2},
+                         colour_u32(palette().right_mark), size);
 }
 
 void side_bar(ImDrawList& list, ImVec2 min, ImVec2 max, Side side) {
@@ -92,15 +48,53 @@ void attention_bar(ImDrawList& list, ImVec2 min, ImVec2 max) {
   list.AddRect(min, max, colour_u32(palette().text_quiet));
 }
 
-bool hit_area(std::string_view name, ImVec2 size, const ControlStyle& style) {
+bool item(std::string_view name, const ControlStyle& style, const std::function<bool()>& make) {
   const DisabledScope disabled(!style.disabled.empty());
   ImGui::PushID(full_name(name).c_str());
-  const bool clicked = ImGui::InvisibleButton("##hit", {std::max(1.0f, size.x), std::max(1.0f, size.y)});
+  const bool clicked = make();
   ImGui::PopID();
   if (name.starts_with("##")) return clicked;  // a part of a control that asks for the keyboard itself
   const bool has_keys =
       key_focus().item(full_name(name), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), style.disabled.empty());
   return clicked || (has_keys && key_focus().pressed());
+}
+
+bool word_button(std::string_view name, std::string_view label, float width, const ButtonLook& look,
+                 const ControlStyle& style) {
+  const float inset = std::min(ImGui::GetStyle().FramePadding.x, width / 8);
+  const float above =
+      look.height > 0 ? std::max(0.0f, look.height - ImGui::GetFontSize()) / 2 : ImGui::GetStyle().FramePadding.y;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {inset, above});
+  ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, look.edge.w > 0 ? line_thickness() : 0);
+  ImGui::PushStyleColor(ImGuiCol_Button, style.disabled.empty() || look.fill.w == 0 ? look.fill : palette().panel);
+  ImGui::PushStyleColor(ImGuiCol_Border, look.edge);
+  ImGui::PushStyleColor(ImGuiCol_Text, style.disabled.empty() ? look.text : palette().text_disabled);
+  const std::string words(label);
+  const bool clicked = item(name, style, [&] { return ImGui::Button(words.c_str(), {width, look.height}); });
+  ImGui::PopStyleColor(3);
+  ImGui::PopStyleVar(2);
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  if (look.on)
+    ImGui::GetWindowDrawList()->AddRectFilled({min.x + inset, max.y - px(3)}, {max.x - inset, max.y - px(1)},
+                                              colour_u32(text_colour(style)));
+  if (text_width(label) > max.x - min.x - 2 * inset + 1) fit_watch().shortened(min, max, label);
+  return clicked;
+}
+
+bool hit_area(std::string_view name, ImVec2 size, const ControlStyle& style) {
+  return item(name, style, [&] {
+    return ImGui::InvisibleButton("##hit", {std::max(1.0f, size.x), std::max(1.0f, size.y)});
+  });
+}
+
+bool list_row(std::string_view name, ImVec2 size, bool selected) {
+  const bool clicked = hit_area(name, {size.x > 0 ? size.x : ImGui::GetContentRegionAvail().x, size.y}, {});
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (selected || ImGui::IsItemHovered())
+    list.AddRectFilled(min, max, colour_u32(selected ? palette().selection : palette().field_hover), px(3));
+  if (selected) list.AddRectFilled(min, {min.x + px(3), max.y}, colour_u32(palette().text));
+  return clicked;
 }
 
 void style_tooltip(const ControlStyle& style) {
@@ -122,7 +116,7 @@ ImVec4 state_colour(const ImVec4& idle, const ControlStyle& style) {
 
 void outline(ImVec2 min, ImVec2 max, const ImVec4& colour) {
   ImGui::GetWindowDrawList()->AddRect({min.x + 0.5f, min.y + 0.5f}, {max.x - 0.5f, max.y - 0.5f}, colour_u32(colour),
-                                      ImGui::GetStyle().FrameRounding, 0, std::max(1.0f, std::floor(px(1))));
+                                      ImGui::GetStyle().FrameRounding, 0, line_thickness());
 }
 
 float full_width(const ControlStyle& style) {

@@ -91,10 +91,7 @@ bool progress_bar(std::string_view name, std::string_view label, double fraction
   const std::string percent = fraction < 0 ? "" : std::to_string(static_cast<int>(share * 100)) + " %";
   const float end = max.x - (percent.empty() ? 0 : px(60));
   draw_text(min, {end, y}, whole_words(label, end - min.x), p.text, 0);
-  {
-    const FontScope mono(Face::mono);
-    draw_text({max.x - px(60), min.y}, {max.x, y}, percent, p.text_quiet, 1);
-  }
+  draw_text({max.x - px(60), min.y}, {max.x, y}, percent, p.text_quiet, 1, Face::mono);
   controls().record("bar", percent);
   ImGui::SameLine();
   return button("cancel", "Cancel", Emphasis::plain, {.width = cancel_width});
@@ -110,11 +107,7 @@ bool message_bar(std::string_view name, MessageKind kind, std::string_view text)
   const ImVec2 start = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x;
   const float button_width = px(86), inset = px(14);
-  float mark_width = 0;
-  if (!mark.empty()) {
-    const FontScope bold(Face::bold);
-    mark_width = text_width(mark) + px(10);
-  }
+  const float mark_width = mark.empty() ? 0 : text_width(mark, Face::bold) + px(10);
   const float wrap = std::max(px(80), room - button_width - 2 * inset - mark_width);
   const ImVec2 size = ImGui::CalcTextSize(text.data(), text.data() + text.size(), false, wrap);
   const float height = std::max(size.y, ImGui::GetFrameHeight()) + px(10);

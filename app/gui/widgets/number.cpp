@@ -105,14 +105,12 @@ void draw_number(const ImVec2& min, const ImVec2& max, double value, const Numbe
   draw.AddCircleFilled({x, y}, px(2.5), ink, 12);
   float unit_width = 0;
   if (!range.unit.empty()) {
-    const FontScope small(Face::small);
-    unit_width = text_width(range.unit) + px(5);
+    unit_width = text_width(range.unit, Face::small) + px(5);
     draw_text({max.x - px(6) - unit_width, min.y}, {max.x - px(6), max.y - px(3)}, range.unit,
-              dead ? p.text_disabled : p.text_quiet, 1);
+              dead ? p.text_disabled : p.text_quiet, 1, Face::small);
   }
-  const FontScope mono(Face::mono);
   draw_text({min.x + px(6), min.y}, {max.x - px(6) - unit_width, max.y - px(3)},
-            style.shown.empty() ? short_number(value) : std::string(style.shown), text_colour(style), 1);
+            style.shown.empty() ? short_number(value) : std::string(style.shown), text_colour(style), 1, Face::mono);
 }
 
 }  // namespace

@@ -27,15 +27,11 @@ std::string short_number(double value) {
 std::string full_number(double value) { return fmt::format("{}", value); }
 
 void number_text(std::string_view digits, float width, std::string_view full) {
-  const FontScope mono(Face::mono);
   const float room = width > 0 ? width : ImGui::GetContentRegionAvail().x;
-  const float shift = room - text_width(digits);
+  const float shift = room - text_width(digits, Face::mono);
   if (shift > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::floor(shift));
-  ImGui::TextUnformatted(digits.data(), digits.data() + digits.size());
-  if (full != digits && begin_tooltip()) {
-    ImGui::TextUnformatted(full.data(), full.data() + full.size());
-    end_tooltip();
-  }
+  show_text(digits, {Face::mono});
+  if (full != digits) tooltip(full);
 }
 
 void number_text(double value, float width) { number_text(short_number(value), width, full_number(value)); }

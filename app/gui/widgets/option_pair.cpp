@@ -22,20 +22,9 @@ struct CellForm {
   float height = 0;      ///< of a cell
 };
 
-/// A word may also be broken behind its hyphen.
-std::string value_lines(std::string_view words, float width) {
-  std::string breakable;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    breakable += words[i];
-    if (words[i] == '-' && i + 1 < words.size() && i > 0 && words[i - 1] != ' ') breakable += ' ';
-  }
-  if (text_width(words) <= width) return std::string(words);
-  return in_lines(breakable, width);
-}
-
 bool fit(std::span<const std::string_view> values, float width) {
   return std::all_of(values.begin(), values.end(),
-                     [&](std::string_view value) { return text_width(value_lines(value, width)) <= width; });
+                     [&](std::string_view value) { return text_width(in_lines(value, width)) <= width; });
 }
 
 CellForm form_of(std::span<const std::string_view> values, float cell, float whole) {
@@ -51,7 +40,7 @@ CellForm form_of(std::span<const std::string_view> values, float cell, float who
   if (form.stacked) room = drop_down_text_width(whole);
   const FontScope font(form.face);
   for (const std::string_view value : values)
-    form.height = std::max(form.height, text_height(value_lines(value, room)) + px(6));
+    form.height = std::max(form.height, text_height(in_lines(value, room)) + px(6));
   return form;
 }
 
@@ -83,7 +72,7 @@ Edit cell(const Option& option, Settings& settings, const ControlStyle& style, c
   std::string lines;
   if (style.shown.empty()) {
     const FontScope font(form.face);
-    lines = value_lines(option.choices[static_cast<std::size_t>(index)].label, drop_down_text_width(style.width));
+    lines = in_lines(option.choices[static_cast<std::size_t>(index)].label, drop_down_text_width(style.width));
     own.shown = lines;
   }
   if (!drop_down(option.key, option.choices, index, style.width, own, {form.height, form.face})) return {};
@@ -118,12 +107,10 @@ std::array<OptionRowResult, 2> option_pair(const Option& option, std::array<Sett
   const float label_height = columns.beside_label ? form.height : height;
   const float cells_top = columns.beside_label ? start.y : start.y + label_height;
   const float end = cells_top + form.height * (form.stacked ? 2 : 1);
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  if (context.highlight) {
-    attention_ring({start.x - px(6), start.y - px(2)}, {start.x + room + px(2), end + px(4)});
-  }
+  if (context.highlight) attention_ring({start.x - px(6), start.y - px(2)}, {start.x + room + px(2), end + px(4)});
   if (differ)
-    draw.AddRectFilled({start.x - px(5), start.y + px(3)}, {start.x - px(2), end - px(1)}, colour_u32(p.text));
+    ImGui::GetWindowDrawList()->AddRectFilled({start.x - px(5), start.y + px(3)}, {start.x - px(2), end - px(1)},
+                                              colour_u32(p.text));
 
   const std::size_t picked = index_of(context.picked);
   std::array<OptionRowContext, 2> contexts;
@@ -136,17 +123,12 @@ std::array<OptionRowResult, 2> option_pair(const Option& option, std::array<Sett
   option_tooltip(option, settings[picked], contexts[picked], waking[picked].reason);
   const ImVec2 label_max{start.x + label_room, start.y + label_height};
   float unit_from = start.x + px(gap);
-  {
-    const FontScope face(differ ? Face::bold : Face::body);
-    const std::string label = differ ? "≠ " + std::string(option.label) : std::string(option.label);
-    draw_text(start, label_max, label, both_rest ? p.text_quiet : p.text, 0);
-    unit_from += text_width(label);
-  }
-  {
-    const FontScope small(Face::small);
-    if (unit_from + text_width(option.unit) <= label_max.x)
-      draw_text({unit_from, start.y}, label_max, option.unit, p.text_quiet, 1);
-  }
+  const Face face = differ ? Face::bold : Face::body;
+  const std::string label = differ ? "≠ " + std::string(option.label) : std::string(option.label);
+  draw_text(start, label_max, label, both_rest ? p.text_quiet : p.text, 0, face);
+  unit_from += text_width(label, face);
+  if (unit_from + text_width(option.unit, Face::small) <= label_max.x)
+    draw_text({unit_from, start.y}, label_max, option.unit, p.text_quiet, 1, Face::small);
   if (has_reset) {
     const NameScope scope(name_of(context.picked));
     ImGui::SetCursorScreenPos({start.x + label_end - reset, start.y + (label_height - height) / 2});

@@ -1,7 +1,5 @@
 #include "gui/widgets/option_parts.h"
 
-#include <cmath>
-
 namespace ps::gui {
 namespace {
 
@@ -12,10 +10,7 @@ bool differs(const Option& option, const Settings& settings, const OptionRowCont
 void paragraph(std::string_view head, std::string_view text) {
   if (text.empty()) return;
   ImGui::Dummy({0, px(1)});
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  const std::string line = std::string(head) + std::string(text);
-  ImGui::TextUnformatted(line.c_str());
-  ImGui::PopStyleColor();
+  show_text(std::string(head) + std::string(text), {.quiet = true});
 }
 
 }  // namespace
@@ -23,11 +18,8 @@ void paragraph(std::string_view head, std::string_view text) {
 void option_tooltip(const Option& option, const Settings& settings, const OptionRowContext& context,
                     std::string_view reason) {
   if (!begin_tooltip()) return;
-  {
-    const FontScope bold(Face::bold);
-    ImGui::TextUnformatted(option.label.data(), option.label.data() + option.label.size());
-  }
-  ImGui::TextUnformatted(option.help.what.data(), option.help.what.data() + option.help.what.size());
+  show_text(option.label, {Face::bold});
+  show_text(option.help.what);
   if (option.kind == OptionKind::choice) {
     const Choice& now = chosen(option, settings);
     paragraph(std::string(now.label) + ": ", now.help);
@@ -106,18 +98,8 @@ void attention_ring(ImVec2 min, ImVec2 max) {
 
 bool reset_button(const Option& option, float size) {
   const std::string name = std::string(option.key) + "/reset";
-  const bool clicked = hit_area(name, {size, ImGui::GetFrameHeight()}, {});
-  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const ImVec2 middle{(min.x + max.x) / 2, (min.y + max.y) / 2};
-  const ImU32 ink = colour_u32(ImGui::IsItemHovered() ? palette().text : palette().text_quiet);
-  const float radius = px(4.5);
-  draw.PathArcTo(middle, radius, -2.2f, 3.1f, 16);
-  draw.PathStroke(ink, 0, px(1.5));
-  const ImVec2 tip{middle.x + radius * std::cos(-2.2f), middle.y + radius * std::sin(-2.2f)};
-  draw.AddTriangleFilled({tip.x - px(3), tip.y + px(2.5)}, {tip.x - px(2), tip.y - px(3)}, {tip.x + px(3), tip.y}, ink);
+  const bool clicked = button(name, "↺", Emphasis::quiet, {.tooltip = "Back to the default", .width = size});
   controls().record(name, "reset");
-  tooltip("Back to the default");
   return clicked;
 }
 

@@ -7,7 +7,6 @@
 
 #include "gui/platform/imgui_version.h"
 #include "gui/widgets/draw.h"
-#include "gui/widgets/tick.h"
 
 namespace ps::gui {
 namespace {
@@ -57,9 +56,8 @@ PictureTiles::PictureTiles(int& selected, std::size_t count, const TileLook& loo
 
 void PictureTiles::heading(const std::string& text) {
   column_ = 0;
-  const FontScope bold(Face::bold);
   ImGui::Dummy({0, px(4)});
-  ImGui::TextUnformatted(text.c_str());
+  show_text(text, {Face::bold});
   ImGui::Dummy({0, px(2)});
 }
 

@@ -41,8 +41,8 @@ TextEdit typed_field(std::string_view name, std::string& text, std::string_view 
   outline(min, max, ImGui::IsItemActive() ? p.text_quiet : p.line);
   controls().record(name, text);
   style_tooltip(style);
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
   if (icon == FieldIcon::lens) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 lens{min.x + px(14), (min.y + max.y) / 2 - px(1)};
     draw.AddCircle(lens, px(4.5), colour_u32(p.text_quiet), 16, px(1.5));
     draw.AddLine({lens.x + px(3), lens.y + px(3)}, {lens.x + px(7), lens.y + px(7)}, colour_u32(p.text_quiet), px(1.5));
@@ -51,14 +51,10 @@ TextEdit typed_field(std::string_view name, std::string& text, std::string_view 
   const ImVec2 after = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos({start.x + width - clear, start.y});
   const std::string clear_name = std::string(name) + "/clear";
-  if (hit_area(clear_name, {clear, clear}, {})) {
+  if (button(clear_name, "×", Emphasis::quiet, {.width = clear})) {
     text.clear();
     edit.changed = true;
   }
-  const float x = start.x + width - clear / 2, y = (min.y + max.y) / 2, arm = px(3.5);
-  const ImU32 ink = colour_u32(ImGui::IsItemHovered() ? p.text : p.text_quiet);
-  draw.AddLine({x - arm, y - arm}, {x + arm, y + arm}, ink, px(1.5));
-  draw.AddLine({x - arm, y + arm}, {x + arm, y - arm}, ink, px(1.5));
   controls().record(clear_name, "clear");
   ImGui::SetCursorScreenPos(after);
   return edit;

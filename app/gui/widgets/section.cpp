@@ -6,46 +6,29 @@
 #include "gui/widgets/shorten.h"
 
 namespace ps::gui {
-namespace {
-
-void draw_arrow(ImVec2 middle, bool open, ImU32 ink) {
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const float a = px(3.5), b = px(2.5);
-  const ImVec2 tip = open ? ImVec2{middle.x, middle.y + b} : ImVec2{middle.x + b, middle.y};
-  const ImVec2 first = open ? ImVec2{middle.x - a, middle.y - b} : ImVec2{middle.x - b, middle.y - a};
-  const ImVec2 second = open ? ImVec2{middle.x + a, middle.y - b} : ImVec2{middle.x - b, middle.y + a};
-  draw.AddLine(first, tip, ink, px(1.5));
-  draw.AddLine(tip, second, ink, px(1.5));
-}
-
-}  // namespace
 
 bool section(std::string_view name, std::string_view label, bool& open, std::string_view note) {
-  const Palette& p = palette();
-  const float width = ImGui::GetContentRegionAvail().x;
-  if (hit_area(name, {width, ImGui::GetFrameHeight()}, {})) open = !open;
-  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  if (ImGui::IsItemHovered()) draw.AddRectFilled(min, max, colour_u32(p.field_hover), ImGui::GetStyle().FrameRounding);
-  draw_arrow({min.x + px(8), (min.y + max.y) / 2}, open, colour_u32(p.text_quiet));
-  float label_end = 0;
-  {
-    bool is_small = ImGui::GetFont() == theme().font(Face::small);
-    {
-      const FontScope bold(Face::bold);
-      is_small = is_small || text_width(label) > max.x - min.x - px(20);
-    }
-    const FontScope bold(is_small ? Face::small_bold : Face::bold);
-    const std::string shown = whole_words(label, max.x - min.x - px(20));
-    draw_text({min.x + px(20), min.y}, max, shown, p.text, 0);
-    label_end = min.x + px(20) + text_width(shown);
-  }
-  {
-    const FontScope small(Face::small);
-    const float right = max.x - px(6);
-    if (label_end + px(8) + text_width(note) <= right)  // the label comes first
-      draw_text({label_end, min.y}, {right, max.y}, note, p.text_quiet, 1);
-  }
+  const ImVec2 start = ImGui::GetCursorScreenPos();
+  const float end = start.x + ImGui::GetContentRegionAvail().x;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(2), ImGui::GetStyle().FramePadding.y});
+  const float left = start.x + ImGui::GetFontSize() + 2 * ImGui::GetStyle().FramePadding.x;
+  const bool is_small = ImGui::GetFont() == theme().font(Face::small) || text_width(label, Face::bold) > end - left;
+  const FontScope bold(is_small ? Face::small_bold : Face::bold);
+  const std::string shown = whole_words(label, end - left);
+  ImGui::SetNextItemOpen(open);
+  constexpr ImGuiTreeNodeFlags flags =
+      ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_FramePadding | ImGuiTreeNodeFlags_NoTreePushOnOpen;
+  bool unfolded = open;
+  const bool pressed = item(name, {}, [&] {
+    unfolded = ImGui::TreeNodeEx("##section", flags, "%s", shown.c_str());
+    return unfolded != open;
+  });
+  ImGui::PopStyleVar();
+  if (pressed) open = !open;
+  const ImVec2 max = ImGui::GetItemRectMax();
+  const float note_left = left + text_width(shown), note_right = end - px(6);
+  if (note_left + px(8) + text_width(note, Face::small) <= note_right)  // the label comes first
+    draw_text({note_left, start.y}, {note_right, max.y}, note, palette().text_quiet, 1, Face::small);
   controls().record(name, open ? "open" : "closed");
   return open;
 }
@@ -86,6 +69,25 @@ TreeRow tree_row(std::string_view name, std::string_view text, TreeKind kind, bo
   return row;
 }
 
+bool begin_numbers(const char* id, int numbers, const NumberColumns& widths) {
+  if (!ImGui::BeginTable(id, numbers + 1, ImGuiTableFlags_SizingFixedFit, {widths.all, 0})) return false;
+  ImGui::TableSetupColumn(
+      "text", widths.text > 0 ? ImGuiTableColumnFlags_WidthFixed : ImGuiTableColumnFlags_WidthStretch, widths.text);
+  for (int i = 0; i < numbers; ++i) ImGui::TableSetupColumn("number", ImGuiTableColumnFlags_WidthFixed, widths.numbers);
+  return true;
+}
+
+void numbers_row(std::string_view text) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  show_paragraph(text);
+}
+
+void number_cell(std::string_view digits, std::string_view full) {
+  ImGui::TableNextColumn();
+  number_text(digits, 0, full);
+}
+
 bool table_row(std::string_view name, std::string_view text, bool selected) {
   const std::string id = "##" + full_name(name);
   ImGui::TableNextRow();
@@ -97,13 +99,8 @@ bool table_row(std::string_view name, std::string_view text, bool selected) {
     clicked = clicked || key_focus().pressed();
   controls().record(name, std::string(text));
   ImGui::SetCursorPos(place);
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  show_text(text);
   return clicked;
-}
-
-void value_text(std::string_view name, std::string_view text) {
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
-  controls().record(name, std::string(text));
 }
 
 }  // namespace ps::gui

@@ -29,6 +29,31 @@ struct ControlStyle {
   bool quiet = false;           ///< without a field behind it: what comes second in its row
 };
 
+// --- text.cpp ---
+struct TextForm {
+  std::optional<Face> face = {};  ///< none: the present one
+  bool quiet = false;             ///< in the colour of what explains
+};
+/// Texts look so in its scope.
+class TextScope {
+ public:
+  explicit TextScope(const TextForm& form);
+  ~TextScope();
+  TextScope(const TextScope&) = delete;
+  TextScope& operator=(const TextScope&) = delete;
+
+ private:
+  FontScope font_;
+};
+/// Text as it is, as an item; `value_text` records it under its name for scripts.
+void show_text(std::string_view text, const TextForm& form = {});
+void value_text(std::string_view name, std::string_view text, const TextForm& form = {});
+/// The same broken into lines where the room ends.
+void show_paragraph(std::string_view text, const TextForm& form = {});
+void value_paragraph(std::string_view name, std::string_view text, const TextForm& form = {});
+/// A paragraph in the quiet colour, for what explains.
+void quiet_text(std::string_view text);
+
 // --- buttons.cpp ---
 enum class Emphasis { plain, primary, quiet };
 bool button(std::string_view name, std::string_view label, Emphasis emphasis = Emphasis::plain,
@@ -39,10 +64,22 @@ float button_width(std::string_view label);
 void same_line_if_room(float width, float spacing = -1);
 /// A button that shows a state, such as a tool that is chosen.
 bool button_on_off(std::string_view name, std::string_view label, bool on, const ControlStyle& style = {});
-/// A switch with its label to the right; the value reads "on" or "off".
+/// Ends the toolbar of a tool: shows it in the whole window, or does so no longer. Answers whether it was clicked.
+bool fill_button(bool filled, std::string_view help);
+/// Before it, where there is something to save so.
+void svg_button(const std::function<void()>& save);
+/// A box to tick with its label to the right; the value reads "on" or "off".
 bool toggle(std::string_view name, std::string_view label, bool& value, const ControlStyle& style = {});
 /// One of a few words side by side if they fit the width, else a drop-down. Answers whether `index` changed.
 bool choice(std::string_view name, std::span<const Choice> choices, int& index, const ControlStyle& style = {});
+/// choice() among the values of an enumeration, in their order.
+template <class Value>
+bool choice_of(std::string_view name, std::span<const Choice> choices, Value& value, const ControlStyle& style = {}) {
+  int index = static_cast<int>(value);
+  if (!choice(name, choices, index, style)) return false;
+  value = static_cast<Value>(index);
+  return true;
+}
 /// Tabs in a row; the open one is underlined. Value: the key of the open one. `keys` are used as names below `name`.
 bool tab_row(std::string_view name, std::span<const Choice> tabs, int& index);
 /// A heading that opens and closes what follows it.
@@ -93,7 +130,7 @@ struct OptionRowContext {
   const Settings* other = nullptr;  ///< the other side's settings, to mark differences
 };
 
-// --- rows.cpp ---
+// --- section.cpp ---
 /// A row of a tree, as many lines high as its text needs. If it answers `open`, draw the children and call
 /// ImGui::TreePop(). Leaves never open. `icon_room` is left free in front of the text.
 struct TreeRow {
@@ -105,8 +142,21 @@ TreeRow tree_row(std::string_view name, std::string_view text, TreeKind kind, bo
 /// Begins a table row that can be selected as a whole; call inside ImGui::BeginTable, then ImGui::TableNextColumn for
 /// the cells. The first cell holds `text`.
 bool table_row(std::string_view name, std::string_view text, bool selected);
-/// Text that scripts can read: recorded under its name.
-void value_text(std::string_view name, std::string_view text);
+/// Begins a table whose rows have a text and then numbers, which end at the right ends of their columns; if it answers
+/// so, fill it and call ImGui::EndTable().
+struct NumberColumns {
+  float text = 0;     ///< 0 = what the numbers leave
+  float numbers = 0;  ///< of each
+  float all = 0;      ///< of the table; 0 = what is left
+};
+bool begin_numbers(const char* id, int numbers, const NumberColumns& widths);
+/// Begins a row of it.
+void numbers_row(std::string_view text);
+/// The next cell of the row; the tooltip has the full precision.
+void number_cell(std::string_view digits, std::string_view full);
+/// A row of a list as wide as the room that is left, or as `size` says, with a ground while it is selected or under the
+/// pointer. What it shows is drawn over it by the caller, who records it as well.
+bool list_row(std::string_view name, ImVec2 size, bool selected);
 /// A field to type a filter into, with a clear button.
 bool search_box(std::string_view name, std::string& text, std::string_view hint, const ControlStyle& style = {});
 

@@ -19,14 +19,11 @@ void ask_choice(const LessonQuestion& question, StudentAnswer& answer) {
   for (std::size_t i = 0; i < question.choices.size(); ++i) {
     const std::string lines = in_lines(question.choices[i].text, width);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float height = text_height(lines) + px(8);
     const bool chosen = answer.choice == static_cast<int>(i);
-    if (hit_area(fmt::format("choice/{}", i), {indent + width, height}, {})) answer.choice = static_cast<int>(i);
-    const bool hovered = ImGui::IsItemHovered();
-    controls().record(fmt::format("choice/{}", i), chosen ? "on" : "off");
+    const std::string name = fmt::format("choice/{}", i);
+    if (list_row(name, {indent + width, text_height(lines) + px(8)}, false)) answer.choice = static_cast<int>(i);
+    controls().record(name, chosen ? "on" : "off");
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImVec2 end{at.x + indent + width, at.y + height};
-    if (hovered) list.AddRectFilled(at, end, colour_u32(palette().field_hover), px(3));
     const ImVec2 middle{at.x + px(11), at.y + px(4) + ImGui::GetFontSize() / 2};
     list.AddCircle(middle, px(6), colour_u32(palette().text), 0, px(1.5));
     if (chosen) list.AddCircleFilled(middle, px(3.5), colour_u32(palette().text));
@@ -42,7 +39,7 @@ bool ask_number(const LessonQuestion& question, LessonQuestions& questions) {
   if (!question.unit.empty()) {
     ImGui::SameLine(0, px(8));
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(question.unit.c_str());
+    show_text(question.unit);
   }
   const auto number = parse_typed_number(questions.typed);
   if (!number && !questions.typed.empty()) value_paragraph("no-number", no_number);
@@ -95,18 +92,14 @@ std::string_view missing_answer(const LessonQuestions& questions) {
   return "";
 }
 
-void question_text(const LessonQuestion& question) {
-  const FontScope font(Face::bold);
-  value_paragraph("text", question.text);
-}
+void question_text(const LessonQuestion& question) { value_paragraph("text", question.text, {Face::bold}); }
 
 /// Leads from the text to the listing with the line that is asked for, or back.
 bool turn_button(AskPlace place, std::string_view label, Emphasis emphasis) {
   const bool text = place == AskPlace::below_text;
   return button(
       "turn", label, emphasis,
-      {.tooltip = with_key(text ? "The listing is where you click the line." : "What the step says.", "text-or-tool"),
-       .disabled = {}});
+      {.tooltip = with_key(text ? "The listing is where you click the line." : "What the step says.", "text-or-tool")});
 }
 
 /// A question's controls besides its sentence and its buttons. Answers whether Enter ended the typing of an answer.
@@ -159,8 +152,7 @@ bool ask_lesson_question(Session& session, LessonQuestions& questions, AskPlace 
     return false;
   }
   same_line_if_room(button_width("Skip"));
-  if (button("skip", "Skip", Emphasis::quiet,
-             {.tooltip = "Goes on without an answer; nothing is kept.", .disabled = {}}))
+  if (button("skip", "Skip", Emphasis::quiet, {.tooltip = "Goes on without an answer; nothing is kept."}))
     questions.take(session, "", {});
   if (turns && !leads_on) {
     const std::string_view label = place == AskPlace::below_text ? "Listing" : "Read the task";
@@ -175,14 +167,14 @@ void way_back_to_question(Session& session, const LessonQuestions& questions) {
     const NameScope scope("question");
     question_text(*questions.question());
   }
-  quiet_text(std::string(why_question_waits));
+  quiet_text(why_question_waits);
   way_back_button(session);
 }
 
 void way_back_button(Session& session) {
   const NameScope scope("question");
   if (button("back", "Back to the question", Emphasis::primary,
-             {.tooltip = "Puts this step's pixel and options back.", .disabled = {}}))
+             {.tooltip = "Puts this step's pixel and options back."}))
     go_to_step(session, session.document().lesson, session.document().step);
 }
 

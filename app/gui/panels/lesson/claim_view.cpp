@@ -9,7 +9,6 @@
 #include "engine/metric_words.h"
 #include "gui/panels/lesson/lesson_list.h"
 #include "gui/widgets/draw.h"
-#include "gui/widgets/tick.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -93,9 +92,7 @@ void claim_line(Session& session, LessonClaims& claims, std::size_t claim, const
     const FontScope font(Face::small);
     draw_mark(at, layout.one_row ? frame : ImGui::GetTextLineHeight(), holds);
     ImGui::SetCursorScreenPos(text);
-    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-    value_text("measured", layout.lines);
-    ImGui::PopStyleColor();
+    value_text("measured", layout.lines, {.quiet = true});
   }
   tooltip("Measured on what the screen shows, each time that it changes.");
   controls().record("state", at, {at.x + px(mark_room), at.y + row}, !holds ? "open" : *holds ? "holds" : "broken");

@@ -18,7 +18,7 @@ float first_look_height(float width) {
 
 FirstLookAnswer first_look_offer() {
   const NameScope scope("first-look");
-  ImGui::TextUnformatted(in_lines(offer, ImGui::GetContentRegionAvail().x).c_str());
+  show_paragraph(offer);
   ImGui::Dummy({0, px(2)});
   FirstLookAnswer answer = FirstLookAnswer::none;
   if (button("start", "Start", Emphasis::primary)) answer = FirstLookAnswer::start;

@@ -8,7 +8,6 @@
 #include "gui/widgets/draw.h"
 #include "gui/widgets/picture_tiles.h"
 #include "gui/widgets/shorten.h"
-#include "gui/widgets/tick.h"
 
 namespace ps::gui {
 namespace {
@@ -45,16 +44,13 @@ std::string step_text(const HitRow& row) {
 bool hit_row(const HitRow& row, const std::function<const Texture*()>& picture) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 size{ImGui::GetContentRegionAvail().x - px(8), row_height()};
-  const bool clicked = ImGui::InvisibleButton(row.name.c_str(), size);
+  const bool clicked = list_row(row.name, size, row.selected);
   const std::string second = step_text(row);
   controls().record(row.name, fmt::format("{} / {} / {}", row.lesson.title, second, row.hit.around));
   if (row.selected && row.reveal) ImGui::SetScrollHereY();
   if (!ImGui::IsItemVisible()) return clicked;
   const Palette& p = palette();
   auto& list = *ImGui::GetWindowDrawList();
-  if (row.selected || ImGui::IsItemHovered())
-    list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, colour_u32(row.selected ? p.selection : p.field_hover),
-                       px(4));
   const ImVec2 inside{at.x + px(row_inset) / 2, at.y + px(row_inset) / 2};
   list.AddRectFilled(inside, {inside.x + px(picture_side), inside.y + px(picture_side)}, colour_u32(p.panel));
   if (const Texture* small = picture(); small && !small->empty())

@@ -4,7 +4,7 @@
 
 #include "base/check.h"
 #include "engine/course.h"
-#include "gui/widgets/tick.h"
+#include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -77,14 +77,14 @@ std::string short_length(const LessonLength& length) {
 bool lesson_list(Session& session, const ReadLessons& read) {
   const NameScope scope("lessons");
   const bool find = button("find", "Find in all lessons", Emphasis::primary,
-                           {.tooltip = "Pictures of all lessons, and a search in their texts.", .disabled = {}});
+                           {.tooltip = "Pictures of all lessons, and a search in their texts."});
   ImGui::BeginChild("lessons");
   std::string_view part;
   for (const ListedLesson& lesson : listed_lessons()) {
     if (!lesson.fault.empty()) continue;  // the lesson menu says what is wrong with it
     if (lesson.part != part) {
       part = lesson.part;
-      ImGui::TextDisabled("%s", lesson.part.c_str());
+      show_text(lesson.part, {.quiet = true});
     }
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const std::string text = lesson.title + "   " + short_length(lesson.length);

@@ -287,11 +287,6 @@ std::string_view first_that_fits(const std::vector<std::string>& texts, float ro
   return {};
 }
 
-float small_width(const std::string& text) {
-  const FontScope font(Face::small);
-  return text_width(text);
-}
-
 /// Back, Next and the rest, and where one is.
 void buttons(Session& session, LessonReading& state, const Lesson& lesson, int index) {
   const ReadPage& read = state.text;
@@ -299,7 +294,7 @@ void buttons(Session& session, LessonReading& state, const Lesson& lesson, int i
   const float space = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x;
   const std::vector<std::string> places = place_texts(index, count, read);
   const float words = button_width("Back") + button_width("Next") + button_width("Again") + button_width("×");
-  const bool narrow = words + 3 * space + px(6) + small_width(places[1]) > room;
+  const bool narrow = words + 3 * space + px(6) + text_width(places[1], Face::small) > room;
   const bool first = index == 0 && read.page == 0, last = index + 1 == count && read.page + 1 >= read.pages;
   int by = 0;
   if (button("before", narrow ? "‹" : "Back", Emphasis::plain,
@@ -309,25 +304,22 @@ void buttons(Session& session, LessonReading& state, const Lesson& lesson, int i
   ImGui::SameLine();
   const std::string_view on =
       last ? "The next lesson." : "The next page, then the next step (Page Down; Enter: always the step).";
-  if (button("next", narrow ? "›" : "Next", Emphasis::primary, {.tooltip = on, .disabled = {}})) by = 1;
+  if (button("next", narrow ? "›" : "Next", Emphasis::primary, {.tooltip = on})) by = 1;
   ImGui::SameLine();
-  if (button("again", narrow ? "↺" : "Again", Emphasis::quiet,
-             {.tooltip = "Puts this step's settings back.", .disabled = {}})) {
+  if (button("again", narrow ? "↺" : "Again", Emphasis::quiet, {.tooltip = "Puts this step's settings back."})) {
     go_to_step(session, lesson.name, index);
     state.column.step = -1;  // begins with its text
   }
   ImGui::SameLine();
-  const bool close = button("close", "×", Emphasis::quiet, {.tooltip = "Closes the lesson.", .disabled = {}});
+  const bool close = button("close", "×", Emphasis::quiet, {.tooltip = "Closes the lesson."});
   ImGui::SameLine(0, px(6));
   const float body = ImGui::GetFontSize();
   const FontScope font(Face::small);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float drop = ImGui::GetStyle().FramePadding.y + (body - ImGui::GetFontSize()) / 2;
+  const float drop = (body - ImGui::GetFontSize()) / 2;  // text keeps the base line of the buttons before it
   ImGui::SetCursorScreenPos({at.x, std::floor(at.y + drop)});
   const std::string_view place = first_that_fits(places, ImGui::GetContentRegionAvail().x);
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  ImGui::TextUnformatted(place.data(), place.data() + place.size());
-  ImGui::PopStyleColor();
+  show_text(place, {.quiet = true});
   if (!place.empty()) controls().record("place", places.front());
   tooltip(places.front());
   if (last && by > 0)

@@ -91,7 +91,7 @@ bool link_button(const TextPiece& piece, ImVec2 min, ImVec2 max, const LinkTarge
   const bool hovered = ImGui::IsItemHovered();
   if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   if (begin_tooltip()) {
-    ImGui::TextUnformatted(help_of(target.link).c_str());
+    show_text(help_of(target.link));
     end_tooltip();
   }
   controls().record(name, std::string(piece.span->text));

@@ -120,17 +120,11 @@ std::string microscope_drawing(const MicroscopePanelState& state) {
 
 bool toolbar(Session& session, MicroscopePanelState& state, const PanelHost& host, bool filled) {
   const Side side = inspected_side(session);
-  {
-    const FontScope font(Face::bold);
-    ImGui::AlignTextToFramePadding();
-    side_letter(side);
-  }
+  ImGui::AlignTextToFramePadding();
+  side_letter(side);
   ImGui::SameLine(0, px(8));
   const Vec2d point = state.shown ? state.shown->reading.point : Vec2d(0.5);
-  {
-    const FontScope font(Face::mono);
-    value_text("point", fmt::format("({:.3f}, {:.3f})", point.x, point.y));
-  }
+  value_text("point", fmt::format("({:.3f}, {:.3f})", point.x, point.y), {Face::mono});
   tooltip("The sample point, in pixels from the pixel's top left corner. Drag it in the drawing.");
   same_line_if_room(button_width("To the sample"));
   if (button("reset", "To the sample", Emphasis::quiet,
@@ -149,14 +143,12 @@ void samples_text(const Microscope& microscope) {
   std::map<std::string, int> seen;
   for (const MicroSample& sample : microscope.samples()) ++seen[sample.seen];
   const std::size_t all = microscope.samples().size();
-  ImGui::PushTextWrapPos(0);
   int index = 0;
   for (const auto& [what, count] : seen) {
     const std::string text =
         all == 1 ? "The sample sees " + what + "." : fmt::format("{} of {} samples see {}.", count, all, what);
-    value_text(fmt::format("samples/{}", index++), text);
+    value_paragraph(fmt::format("samples/{}", index++), text);
   }
-  ImGui::PopTextWrapPos();
 }
 
 void triangle_list(Session& session, const MicroscopePanelState& state, const MicroReading& reading,
@@ -164,7 +156,7 @@ void triangle_list(Session& session, const MicroscopePanelState& state, const Mi
   const int chosen = shown_triangle(reading, state.chosen);
   for (std::size_t i = 0; i < reading.triangles.size(); ++i) {
     if (i == most_rows) {
-      ImGui::TextDisabled("and %zu more", reading.triangles.size() - i);
+      quiet_text(fmt::format("and {} more", reading.triangles.size() - i));
       break;
     }
     const MicroTriangle& triangle = reading.triangles[i];
@@ -187,18 +179,15 @@ void triangle_list(Session& session, const MicroscopePanelState& state, const Mi
 void numbers_list(const MicroTable& table) {
   std::string columns;
   for (const std::string& column : table.columns) columns += (columns.empty() ? "" : ", ") + column;
-  ImGui::TextDisabled("%s", columns.c_str());
+  quiet_text(columns);
   for (const MicroRow& row : table.rows) {
-    ImGui::TextUnformatted(row.name.c_str());
-    const FontScope mono(Face::mono);
+    show_text(row.name);
     std::string line, exact;
     for (std::size_t i = 0; i < row.values.size(); ++i) {
       line += "  " + row.values[i];
       exact += (i == 0 ? "" : "\n") + row.exact[i];
     }
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(line.c_str());
-    ImGui::PopTextWrapPos();
+    show_paragraph(line, {Face::mono});
     tooltip(exact);
   }
 }
@@ -206,54 +195,41 @@ void numbers_list(const MicroTable& table) {
 void numbers_table(const MicroTable& table) {
   const float width = px(number_width);
   if (ImGui::GetContentRegionAvail().x < px(name_width) + 3 * (width + px(8))) return numbers_list(table);
-  const int columns = static_cast<int>(table.columns.size());
-  if (!ImGui::BeginTable(table.columns.front().c_str(), columns + 1, ImGuiTableFlags_SizingFixedFit)) return;
-  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, px(name_width));
-  for (const std::string& column : table.columns)
-    ImGui::TableSetupColumn(column.c_str(), ImGuiTableColumnFlags_WidthFixed, width);
-  const auto cell = [&](const std::string& text, const std::string& exact) {
-    ImGui::TableNextColumn();
-    if (!text.empty()) number_text(text, 0, exact);
-  };
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  for (const std::string& column : table.columns) cell(column, column);
-  ImGui::PopStyleColor();
+  if (!begin_numbers(table.columns.front().c_str(), static_cast<int>(table.columns.size()),
+                     {.text = px(name_width), .numbers = width}))
+    return;
+  {
+    const TextScope quiet({.quiet = true});
+    numbers_row("");
+    for (const std::string& column : table.columns) number_cell(column, column);
+  }
   for (const MicroRow& row : table.rows) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(row.name.c_str());
-    for (std::size_t i = 0; i < row.values.size(); ++i) cell(row.values[i], row.exact[i]);
+    numbers_row(row.name);
+    for (std::size_t i = 0; i < row.values.size(); ++i) number_cell(row.values[i], row.exact[i]);
   }
   ImGui::EndTable();
 }
 
 void ray_text(const PixelStory& story) {
   const bool ray = sends_rays(story.renderer);
-  ImGui::PushTextWrapPos(0);
-  value_text("ray", (ray ? "A ray through the point: " : "A small pixel around the point: ") + story.verdict);
-  ImGui::PopTextWrapPos();
+  value_paragraph("ray", (ray ? "A ray through the point: " : "A small pixel around the point: ") + story.verdict);
   if (story.not_reported.empty()) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  value_paragraph("not-reported", story.not_reported + " So no edges and no samples of triangles are drawn here.");
-  ImGui::PopStyleColor();
+  value_paragraph("not-reported", story.not_reported + " So no edges and no samples of triangles are drawn here.",
+                  {.quiet = true});
 }
 
 void texel_views(MicroscopePanelState& state, const MicroTexture& texture, float size) {
   ImGui::Spacing();
-  ImGui::PushTextWrapPos(0);
   const bool footprint = !texture.levels.empty() && !texture.levels.front().footprint.empty();
-  value_text("texture", fmt::format("Texture at u, v = {}{}. Marked texels were read, with their weights.",
-                                    vector_text(texture.lookup.uv),
-                                    footprint ? ", computed mip level " + ps::number_text(texture.lookup.level) +
-                                                    "; yellow: the pixel's footprint"
-                                              : ""));
-  ImGui::PopTextWrapPos();
+  value_paragraph("texture", fmt::format("Texture at u, v = {}{}. Marked texels were read, with their weights.",
+                                         vector_text(texture.lookup.uv),
+                                         footprint ? ", computed mip level " + ps::number_text(texture.lookup.level) +
+                                                         "; yellow: the pixel's footprint"
+                                                   : ""));
   for (std::size_t i = 0; i < state.texels.size(); ++i) {
     if (i > 0) same_line_if_room(size, px(12));
     ImGui::BeginGroup();
-    ImGui::TextDisabled("level %d", texture.levels[i].level);
+    quiet_text(fmt::format("level {}", texture.levels[i].level));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const PaintArea area = paint_area(at, {at.x + size, at.y + size});
     ImGui::Dummy({size, size});
@@ -266,17 +242,9 @@ void texel_views(MicroscopePanelState& state, const MicroTexture& texture, float
 
 void readings(Session& session, MicroscopePanelState& state, const PixelStory* story) {
   const MicroReading& reading = state.shown->reading;
-  {
-    const FontScope font(Face::heading);
-    ImGui::PushTextWrapPos(0);
-    value_text("seen", "At the point: " + reading.seen);
-    ImGui::PopTextWrapPos();
-  }
-  if (state.shown->microscope->detail() == MicroDetail::first) {
-    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-    ImGui::TextUnformatted("Coarse picture; the fine one is being rendered.");
-    ImGui::PopStyleColor();
-  }
+  value_paragraph("seen", "At the point: " + reading.seen, {Face::heading});
+  if (state.shown->microscope->detail() == MicroDetail::first)
+    quiet_text("Coarse picture; the fine one is being rendered.");
   samples_text(*state.shown->microscope);
   if (const auto& around = state.shown->microscope->surroundings())
     surroundings_view(session, *around, state.shown->request.pixel);
@@ -289,10 +257,8 @@ void readings(Session& session, MicroscopePanelState& state, const PixelStory* s
   if (reading.texture) texel_views(state, *reading.texture, px(170));
   if (!reading.triangles.empty()) {
     ImGui::Spacing();
-    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-    ImGui::TextWrapped("Solid edges with ticks own the samples on them (fill rule); dashed edges do not. Filled dots: "
-                       "covered samples. Rings: samples that are not covered. Cross: the sample point.");
-    ImGui::PopStyleColor();
+    quiet_text("Solid edges with ticks own the samples on them (fill rule); dashed edges do not. Filled dots: "
+               "covered samples. Rings: samples that are not covered. Cross: the sample point.");
   }
 }
 
@@ -326,7 +292,7 @@ bool MicroscopePanel::draw(const Context& context) {
   const auto pixel = session.pixel();
   if (!session.has_scene() || !pixel) {
     state.worker.rest();
-    ImGui::TextWrapped("Click a pixel in either picture to see it here, enlarged.");
+    show_paragraph("Click a pixel in either picture to see it here, enlarged.");
     return false;
   }
   const Side side = inspected_side(session);

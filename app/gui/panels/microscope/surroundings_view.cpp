@@ -39,16 +39,13 @@ std::string edge_text(const NearestEdge& edge, Vec2i pixel) {
 }  // namespace
 
 void surroundings_view(Session& session, const PixelSurroundings& surroundings, Vec2i pixel) {
-  ImGui::PushTextWrapPos(0);
-  value_text("no-edge", "No edge runs through this pixel: all of it shows the same.");
+  value_paragraph("no-edge", "No edge runs through this pixel: all of it shows the same.");
   int index = 0;
   for (const std::string& line : counts(session.scene(), surroundings.around))
-    value_text(fmt::format("around/{}", index++), line);
-  if (surroundings.edge)
-    value_text("nearest", edge_text(*surroundings.edge, pixel));
-  else
-    value_text("nearest", fmt::format("There is no edge within {} pixels.", surroundings.searched));
-  ImGui::PopTextWrapPos();
+    value_paragraph(fmt::format("around/{}", index++), line);
+  value_paragraph("nearest", surroundings.edge
+                                 ? edge_text(*surroundings.edge, pixel)
+                                 : fmt::format("There is no edge within {} pixels.", surroundings.searched));
   if (surroundings.edge && button("to-edge", "To the nearest edge", Emphasis::plain, {.tooltip = "Picks that pixel."}))
     session.set_pixel(surroundings.edge->pixel);
 }

@@ -20,16 +20,11 @@ bool step_row(const History::Entry& entry, std::size_t place, std::size_t now, c
   const float width = ImGui::GetContentRegionAvail().x;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const std::string name = fmt::format("step/{}", place);
-  ImGui::PushID(static_cast<int>(place));
-  const bool clicked = ImGui::InvisibleButton("step", {std::max(width, 1.f), height});
-  ImGui::PopID();
+  const bool clicked = list_row(name, {width, height}, place == now);
   controls().record(name, entry.label);
   auto& list = *ImGui::GetWindowDrawList();
   const Palette& p = palette();
-  const ImVec2 end{at.x + width, at.y + height - px(2)};
-  if (place == now || ImGui::IsItemHovered())
-    list.AddRectFilled(at, end, colour_u32(place == now ? p.selection : p.field_hover), px(3));
-  if (place == now) list.AddRectFilled(at, {at.x + px(3), end.y}, colour_u32(p.text));
+  const ImVec2 end{at.x + width, at.y + height};
   const float left = at.x + px(8), room = 2 * px(picture_width) + px(2);
   if (picture && !picture->empty()) {
     const auto w = static_cast<float>(picture->width()), h = static_cast<float>(picture->height());

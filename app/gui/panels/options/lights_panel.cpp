@@ -37,17 +37,16 @@ void lights_panel(Session& session, int& selected, bool& open) {
       selected = static_cast<int>(i);
     double intensity = light.intensity;
     const auto edit = number(fmt::format("{}/intensity", i), intensity, {.minimum = 0, .maximum = 2},
-                             {.tooltip = "Intensity", .disabled = {}, .width = 0});
+                             {.tooltip = "Intensity", .width = 0});
     if (edit.changed)
       session.edit(fmt::format("intensity of light {}", i), fmt::format("light/{}", i), [&](Document& document) {
         edit_scene(document, {fmt::format("light.{}.intensity", i), fmt::format("{}", intensity)});
       });
     if (edit.finished) session.end_drag();
-    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-    if (light.kind == LightKind::point) value_text(fmt::format("{}/place", i), "at " + vector_text(light.position));
+    const std::string place = fmt::format("{}/place", i);
+    if (light.kind == LightKind::point) value_text(place, "at " + vector_text(light.position), {.quiet = true});
     if (light.kind == LightKind::directional)
-      value_text(fmt::format("{}/place", i), "towards " + vector_text(light.direction));
-    ImGui::PopStyleColor();
+      value_text(place, "towards " + vector_text(light.direction), {.quiet = true});
     ImGui::PopID();
   }
 }

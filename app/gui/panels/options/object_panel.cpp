@@ -61,17 +61,15 @@ Edit vector_field(const char* name, Vec3d& value, const NumberRange& range, std:
   return all;
 }
 
-void label(const char* text) { ImGui::TextUnformatted(text); }
-
 void place_field(ObjectEdits& edits, const char* property, Vec3d value) {
-  label("Position");
+  show_text("Position");
   const auto edit = vector_field("position", value, {.minimum = -farthest, .maximum = farthest},
                                  "World units along the world's x, y and z.");
   edits.set(property, "position", scene_vec(value), edit);
 }
 
 void size_field(ObjectEdits& edits, const char* property, const char* words, Vec3d value) {
-  label(words);
+  show_text(words);
   const auto edit = vector_field("size", value,
                                  {.minimum = smallest_size, .maximum = largest_size, .scale = OptionScale::logarithmic},
                                  "Along the object's own x, y and z.");
@@ -79,7 +77,7 @@ void size_field(ObjectEdits& edits, const char* property, const char* words, Vec
 }
 
 void radius_field(ObjectEdits& edits, double radius) {
-  label("Radius");
+  show_text("Radius");
   const auto edit =
       number("radius", radius, {.minimum = smallest_size, .maximum = largest_size, .scale = OptionScale::logarithmic},
              {.tooltip = "World units."});
@@ -89,7 +87,7 @@ void radius_field(ObjectEdits& edits, double radius) {
 /// Steps about each axis of the world: a rotation has no three angles of its own.
 void turn_field(ObjectEdits& edits, const Mat3d& rotation) {
   constexpr double step = 5;  // degrees
-  label("Turn by 5°");
+  show_text("Turn by 5°");
   static constexpr std::array axes{Axis::x, Axis::y, Axis::z};
   static constexpr std::array names{"x", "y", "z"};
   for (std::size_t i = 0; i < axes.size(); ++i)
@@ -131,7 +129,7 @@ void shape_fields(ObjectEdits& edits, const Object& object) {
 
 void material_field(ObjectEdits& edits, const char* property, const char* words, double value, const NumberRange& range,
                     std::string_view tooltip) {
-  label(words);
+  show_text(words);
   const auto edit = number(property, value, range, {.tooltip = tooltip});
   edits.set(property, words, scene_number(value), edit);
 }
@@ -143,7 +141,7 @@ void texture_field(ObjectEdits& edits, const Scene& scene, const Material& mater
   for (std::size_t i = 0; i < names.size(); ++i) keys.push_back(i == 0 ? "none" : std::to_string(i - 1));
   std::vector<Choice> choices;
   for (std::size_t i = 0; i < names.size(); ++i) choices.push_back({keys[i], names[i], ""});
-  label("Texture");
+  show_text("Texture");
   int index = material.texture + 1;
   const float width = ImGui::GetContentRegionAvail().x;
   if (drop_down("texture", choices, index, width,
@@ -154,12 +152,12 @@ void texture_field(ObjectEdits& edits, const Scene& scene, const Material& mater
 void surface_fields(ObjectEdits& edits, const Scene& scene, std::size_t object) {
   const bool single = has_one_material(scene, object), textured = takes_texture(scene, object);
   if (!single && !textured) {
-    ImGui::TextWrapped("Its parts have materials of their own.");
+    show_paragraph("Its parts have materials of their own.");
     return;
   }
   const Material& material = object_material(scene, object);
   Vec3d colour = material.colour;
-  label("Colour: red, green, blue");
+  show_text("Colour: red, green, blue");
   const auto edit = vector_field("color", colour, {.minimum = 0, .maximum = 1}, "Share of the light that it reflects.");
   edits.set("color", "color", scene_colour(colour), edit);
   if (textured) texture_field(edits, scene, material);
@@ -202,7 +200,7 @@ void object_panel(Session& session, ObjectPanelState& state, PickedObject& picke
                                "gizmo")}))
     gizmo = !gizmo;
   if (!index) {
-    ImGui::TextWrapped("Click an object in a picture to change it.");
+    show_paragraph("Click an object in a picture to change it.");
     return;
   }
   value_text("name", name);

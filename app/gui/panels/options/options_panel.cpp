@@ -57,14 +57,11 @@ void column_heads(Session& session) {
     if (is_picked || ImGui::IsItemHovered())
       draw.AddRectFilled(min, max, colour_u32(is_picked ? p.field : p.field_hover), ImGui::GetStyle().FrameRounding);
     draw.AddRectFilled({min.x, max.y - px(is_picked ? 4 : 2)}, max, colour_u32(side == Side::a ? p.a : p.b));
-    {
-      const FontScope bold(Face::bold);
-      draw_text({min.x + px(8), min.y}, {max.x, max.y - px(3)}, letter, p.text, 0);
-    }
+    draw_text({min.x + px(8), min.y}, {max.x, max.y - px(3)}, letter, p.text, 0, Face::bold);
     const FontScope small(Face::small);
     const float room = max.x - px(2) - min.x - px(26);
     const std::string renderer = whole_words(renderer_label(session.settings(side).renderer), room);
-    if (ImGui::CalcTextSize(renderer.c_str()).x <= room)
+    if (text_width(renderer) <= room)
       draw_text({min.x + px(26), min.y}, {max.x - px(2), max.y - px(3)}, renderer, p.text, 0);
     controls().record(side == Side::a ? "a" : "b", is_picked ? "on" : "off");
     tooltip(is_picked ? "The picked picture: its story is shown, and commands act on it."
@@ -237,8 +234,7 @@ bool OptionsPanel::draw(const Context&) {
   if (!any) {
     const char* nothing =
         state.only_differences && state.search.empty() ? "A and B have the same options." : "No option matches.";
-    ImGui::TextWrapped("%s", nothing);
-    controls().record("nothing-found", nothing);
+    value_paragraph("nothing-found", nothing);
   }
   ImGui::EndChild();
   return false;

@@ -56,7 +56,7 @@ void rows_table(const CanvasShapeRows& shape, int pixel_row) {
       const std::string marked = fmt::format("{}{}", row.y, row.y == pixel_row ? "  the pixel" : "");
       for (const std::string& text : {marked, span_text(row.outlined), span_text(row.filled), ends_text(row)}) {
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted(text.c_str());
+        show_text(text);
       }
     }
   ImGui::EndTable();
@@ -82,7 +82,7 @@ void canvas_rows_view(const Session& session, Side side, CanvasRowsState& state,
     rows_table(shape, state.shown->pixel.y);
     ImGui::PopID();
   }
-  if (state.shapes.empty()) ImGui::TextUnformatted("No triangle or polygon of the canvas is at this pixel.");
+  if (state.shapes.empty()) show_text("No triangle or polygon of the canvas is at this pixel.");
 }
 
 }  // namespace ps::gui

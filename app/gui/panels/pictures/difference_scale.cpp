@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "gui/widgets/widgets.h"
+#include "gui/widgets/draw.h"
 
 namespace ps::gui {
 namespace {
@@ -74,23 +74,21 @@ DifferencePlaces difference_places(const Area& place, Vec2i picture_size) {
 
 void draw_difference_scale(ImDrawList& list, const DifferenceOptions& options, const DifferenceNumbers& numbers,
                            const Area& area) {
-  ImFont* font = theme().font(Face::small);
-  const float size = font->FontSize, line = px(19), margin = px(8), bar = px(14);
+  const FontScope font(Face::small);
+  const float line = px(19), margin = px(8), bar = px(14);
   const double end = full_scale(options.mode) / options.gain;
   const bool both_ways = options.mode == DifferenceMode::sign;
   const std::string low = both_ways ? "-" + difference_value_text(end, options.mode) : "0";
   const std::string high = (both_ways ? "+" : "") + difference_value_text(end, options.mode);
   const std::vector<std::string> lines = number_lines(numbers, options.mode);
-  const auto width_of = [&](const std::string& text) { return font->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x; };
   const float width = px(scale_width) - 2 * margin;
   const ImVec2 min = area.min, max{min.x + px(scale_width), min.y + px(scale_height)};
   controls().record("scale", min, max, low + " to " + high + "; " + difference_numbers_text(numbers, options.mode));
 
-  const ImU32 ink = colour_u32(palette().text);
   list.AddRectFilled(min, max, colour_u32(palette().field), px(4));
   list.AddRect(min, max, colour_u32(palette().line_strong), px(4));
   ImVec2 at{min.x + margin, min.y + margin / 2};
-  const auto write = [&](float x, const std::string& text) { list.AddText(font, size, {x, at.y}, ink, text.c_str()); };
+  const auto write = [&](float x, const std::string& text) { draw_lines({x, at.y}, text, palette().text); };
   write(at.x, title_of(options.mode));
   at.y += line;
   for (int i = 0; i < scale_steps; ++i) {
@@ -102,8 +100,8 @@ void draw_difference_scale(ImDrawList& list, const DifferenceOptions& options, c
   }
   at.y += line;
   write(at.x, low);
-  if (both_ways) write(at.x + (width - width_of("0")) / 2, "0");
-  write(at.x + width - width_of(high), high);
+  if (both_ways) write(at.x + (width - text_width("0")) / 2, "0");
+  write(at.x + width - text_width(high), high);
   for (const std::string& text : lines) {
     at.y += line;
     write(at.x, text);

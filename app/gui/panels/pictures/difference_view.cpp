@@ -179,10 +179,7 @@ void difference_number(Session& session, PicturesState& state, const Area& row) 
   if (measured && measured->request.region) text += ", in the rectangle";
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushClipRect(at, {row.max.x, row.max.y}, true);
-  {
-    const FontScope font(Face::bold);
-    value_text("error", text);
-  }
+  value_text("error", text, {Face::bold});
   ImGui::PopClipRect();
   tooltip(metric_help(state.difference.metric));
 }

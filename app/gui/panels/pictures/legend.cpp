@@ -3,7 +3,7 @@
 
 #include "gui/panels/pictures/legend_range.h"
 #include "gui/panels/pictures/picture_view.h"
-#include "gui/widgets/widgets.h"
+#include "gui/widgets/draw.h"
 #include "image/heat_colour.h"
 
 namespace ps::gui {
@@ -16,33 +16,33 @@ ImU32 colour_of(Rgb8 c) { return IM_COL32(c.r, c.g, c.b, 255); }
 }  // namespace
 
 std::optional<LegendScale> draw_legend(ImDrawList& list, const ChannelLegend& legend, const Area& area) {
-  ImFont* font = theme().font(Face::small);
-  const float size = font->FontSize, line = px(20), margin = px(8), swatch = px(14);
+  const float frame = ImGui::GetFrameHeight();  // of the controls, which are in another face
+  const FontScope font(Face::small);
+  const float line = px(20), margin = px(8), swatch = px(14);
   const bool controls = legend.heat && area.width() >= px(range_width) + 4 * margin;
   const float heat_width = px(controls ? range_width : 180);
   std::string low = short_number(legend.low), high = short_number(legend.high);
   if (!legend.unit.empty()) high += " " + legend.unit;
-  const auto width_of = [&](const std::string& text) { return font->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x; };
 
-  float width = width_of(legend.title);
-  if (legend.heat) width = std::max({width, heat_width, width_of(low) + width_of(high) + margin});
-  for (const auto& entry : legend.entries) width = std::max(width, swatch + margin + width_of(entry.meaning));
+  float width = text_width(legend.title);
+  if (legend.heat) width = std::max({width, heat_width, text_width(low) + text_width(high) + margin});
+  for (const auto& entry : legend.entries) width = std::max(width, swatch + margin + text_width(entry.meaning));
   const auto rows = static_cast<float>(1 + (legend.heat ? 2 : 0) + static_cast<int>(legend.entries.size()));
-  const float numbers = controls ? ImGui::GetFrameHeight() + px(4) : line;  // height of their row
-  const ImVec2 min{area.min.x + margin, area.min.y + margin};               // the lower edge has notices
+  const float numbers = controls ? frame + px(4) : line;       // height of their row
+  const ImVec2 min{area.min.x + margin, area.min.y + margin};  // the lower edge has notices
   const ImVec2 max{area.min.x + margin * 3 + width, min.y + rows * line + margin + numbers - line};
   if (max.y > area.max.y) return {};
 
-  const ImU32 text = colour_u32(palette().text);
+  const ImVec4& text = palette().text;
   list.AddRectFilled(min, max, colour_u32(palette().panel, 0.92), px(4));
   list.AddRect(min, max, colour_u32(palette().line_strong), px(4));
   ImVec2 at{min.x + margin, min.y + margin / 2};
-  list.AddText(font, size, at, text, legend.title.c_str());
+  draw_lines(at, legend.title, text);
   at.y += line;
   std::optional<LegendScale> scale;
   if (controls) {
-    scale = LegendScale{{at, {at.x + width, at.y + swatch}},
-                        {{at.x, at.y + line}, {at.x + width, at.y + line + ImGui::GetFrameHeight()}}};
+    scale =
+        LegendScale{{at, {at.x + width, at.y + swatch}}, {{at.x, at.y + line}, {at.x + width, at.y + line + frame}}};
     at.y += line + numbers;
   } else if (legend.heat) {
     for (int i = 0; i < heat_steps; ++i) {
@@ -52,14 +52,13 @@ std::optional<LegendScale> draw_legend(ImDrawList& list, const ChannelLegend& le
                          colour_of(heat_colour((i + 0.5) / heat_steps)));
     }
     at.y += line;
-    list.AddText(font, size, at, text, low.c_str());
-    list.AddText(font, size, {at.x + width - width_of(high), at.y}, text, high.c_str());
+    draw_lines(at, low, text);
+    draw_lines({at.x + width - text_width(high), at.y}, high, text);
     at.y += line;
   }
   for (const auto& entry : legend.entries) {
-    list.AddRectFilled(at, {at.x + swatch, at.y + swatch}, colour_of(entry.colour));
-    list.AddRect(at, {at.x + swatch, at.y + swatch}, colour_u32(palette().line_strong));
-    list.AddText(font, size, {at.x + swatch + margin, at.y}, text, entry.meaning.c_str());
+    draw_swatch(list, at, {swatch, swatch}, colour_of(entry.colour));
+    draw_lines({at.x + swatch + margin, at.y}, entry.meaning, text);
     at.y += line;
   }
   return scale;

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <vector>
 
-#include "gui/panels/pictures/clipped_text.h"
 #include "gui/panels/pictures/left_out_line.h"
 #include "gui/panels/pictures/picture_frame.h"
 #include "gui/panels/pictures/picture_text.h"
 #include "gui/panels/pictures/slow_motion.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/redraw.h"
+#include "gui/widgets/shorten.h"
 #include "render/left_out.h"
 
 namespace ps::gui {
@@ -83,7 +83,7 @@ struct FooterMeasures {
   float between = px(14), mark = px(11), height = theme().font(Face::small)->FontSize + px(3);
   float inset(const FooterItem& item) const { return item.voice == Voice::attention ? mark + px(5) : 0; }
   float width(const FooterItem& item, const std::string& text) const {
-    return inset(item) + width_of(Face::small, text);
+    return inset(item) + text_width(text, Face::small);
   }
 };
 
@@ -164,10 +164,12 @@ void picture_footer(Session& session, Side side, CaptionChange& change, const Ar
     if (item.voice == Voice::attention) attention_mark(list, {at.x, at.y + px(2)}, measures.mark);
     // What does not fit is not there at all, but for the first: half a number would be another one.
     const float room = width - measures.inset(item);
-    const std::string shown = i == 0 ? whole_parts(Face::small, text, room) : text;
-    if (i > 0 && width_of(Face::small, text) > room + 1) continue;
-    clipped_text(list, Face::small, {at.x + measures.inset(item), at.y}, room + 1,
-                 colour_u32(item.voice == Voice::quiet ? palette().text_quiet : palette().text), shown);
+    const FontScope small(Face::small);
+    const std::string shown = i == 0 ? whole_parts(text, room) : text;
+    if (i > 0 && text_width(text) > room + 1) continue;
+    const float left = at.x + measures.inset(item);
+    draw_text({left, at.y}, {left + room + 1, at.y + ImGui::GetFontSize()}, shown,
+              item.voice == Voice::quiet ? palette().text_quiet : palette().text, 0);
     ImGui::SetCursorScreenPos(at);
     ImGui::Dummy({width, measures.height});
     if (item.name == "left-out" || item.name == "beside") controls().record(item.name, text);

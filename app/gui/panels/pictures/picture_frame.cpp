@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "document/technique.h"
-#include "gui/panels/pictures/clipped_text.h"
 #include "gui/panels/pictures/picture_text.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/shorten.h"
 
 namespace ps::gui {
 namespace {
@@ -41,19 +41,23 @@ PictureTitle title_of(Session& session, Side side) {
 }
 
 /// A title in its room: what differs in bold, if need be in small type or as values alone; then the rest, quietly.
-void draw_title(ImDrawList& list, const PictureTitle& title, ImVec2 at, float room) {
-  const auto fits = [&](Face face, const std::string& text) { return width_of(face, text) <= room; };
+void draw_title(const PictureTitle& title, ImVec2 at, float room) {
+  const auto fits = [&](Face face, const std::string& text) { return text_width(text, face) <= room; };
   const bool whole = fits(Face::bold, title.differing) || fits(Face::small, title.differing);
   const std::string& words = whole || title.brief.empty() ? title.differing : title.brief;
-  const Face face = fits(Face::bold, words) ? Face::bold : Face::small;
-  const float drop = (theme().font(Face::bold)->FontSize - theme().font(face)->FontSize) / 2;
-  clipped_text(list, face, {at.x, at.y + drop}, room, colour_u32(palette().text), whole_parts(face, words, room));
-  const float used = width_of(face, words) + px(12), left = room - used;
+  const ImVec2 end{at.x + room, at.y + theme().font(Face::bold)->FontSize};
+  float used = px(12);
+  {
+    const FontScope font(fits(Face::bold, words) ? Face::bold : Face::small);
+    draw_text(at, end, whole_parts(words, room), palette().text, 0);
+    used += text_width(words);
+  }
+  const float left = room - used;
   if (title.shared.empty() || left < px(40)) return;
-  const std::string rest = whole_parts(Face::small, title.shared, left);
-  if (width_of(Face::small, rest) > left) return;
-  const float small_drop = (theme().font(Face::bold)->FontSize - theme().font(Face::small)->FontSize) / 2 + px(1);
-  clipped_text(list, Face::small, {at.x + used, at.y + small_drop}, left, colour_u32(palette().text_quiet), rest);
+  const FontScope small(Face::small);
+  const std::string rest = whole_parts(title.shared, left);
+  if (text_width(rest) <= left)
+    draw_text({at.x + used, at.y + px(1)}, {end.x, end.y + px(1)}, rest, palette().text_quiet, 0);
 }
 
 }  // namespace
@@ -80,17 +84,11 @@ void side_badge(ImDrawList& list, ImVec2 corner, float size, Side side) {
   const ImVec2 end{corner.x + size, corner.y + size};
   list.AddRectFilled(corner, end, colour_u32(palette().field), px(3));
   side_bar(list, {corner.x, end.y - px(4)}, end, side);
-  const char text[2] = {letter_of(side), 0};
-  ImFont* font = theme().font(Face::bold);
-  const float height = font->FontSize;
-  const ImVec2 extent = font->CalcTextSizeA(height, FLT_MAX, 0, text);
-  list.AddText(font, height, {corner.x + (size - extent.x) / 2, corner.y + (size - px(4) - extent.y) / 2},
-               colour_u32(palette().text), text);
+  draw_text(corner, {end.x, end.y - px(4)}, std::string(1, letter_of(side)), palette().text, 0.5f, Face::bold);
 }
 
 void picture_title(Session& session, Side side, const Area& row, PictureCaptions captions, std::string_view instead) {
   const NameScope scope(side == Side::a ? "view/a" : "view/b");
-  auto& list = *ImGui::GetWindowDrawList();
   const bool is_narrow = row.width() < px(narrow_below), two_lines = is_narrow && captions == PictureCaptions::full;
   const bool has_choice = captions == PictureCaptions::full;  // a brief line has no room for it
   const float line = two_lines ? row.height() - ImGui::GetFrameHeight() - px(3) : row.height();
@@ -99,14 +97,14 @@ void picture_title(Session& session, Side side, const Area& row, PictureCaptions
   const float channel_room = std::max(px(136), text_width(channel) + px(34));  // with the arrow of the list
   const float choice_width = has_choice ? std::min(channel_room, row.width() * (two_lines ? 0.7f : 0.45f)) : 0,
               space = px(8);
-  side_badge(list, {row.min.x, top}, size, side);
+  side_badge(*ImGui::GetWindowDrawList(), {row.min.x, top}, size, side);
 
   PictureTitle words = title_of(session, side);
   if (!instead.empty()) words = {std::string(instead), {}, {}};
   const std::string text = words.text();
   const float text_left = row.min.x + size + space;
   const float text_top = top + (size - theme().font(Face::bold)->FontSize) / 2;
-  draw_title(list, words, {text_left, text_top}, row.max.x - text_left - (two_lines ? 0 : choice_width + space));
+  draw_title(words, {text_left, text_top}, row.max.x - text_left - (two_lines ? 0 : choice_width + space));
 
   ImGui::SetCursorScreenPos(row.min);
   ImGui::InvisibleButton(side == Side::a ? "title-a" : "title-b",
@@ -125,8 +123,7 @@ void picture_title(Session& session, Side side, const Area& row, PictureCaptions
   const float choice_room = two_lines ? ImGui::GetFrameHeight() + px(6) : line;
   ImGui::SetCursorScreenPos({row.max.x - choice_width, row.max.y - (choice_room + ImGui::GetFrameHeight()) / 2});
   int shown = static_cast<int>(session.shown(side));
-  if (choice("show", channel_choices(), shown,
-             {.tooltip = "What this picture shows.", .disabled = {}, .width = choice_width}))
+  if (choice("show", channel_choices(), shown, {.tooltip = "What this picture shows.", .width = choice_width}))
     session.edit(fmt::format("{} shows {}", letter_of(side), channel_choices()[static_cast<std::size_t>(shown)].label),
                  [&](Document& document) { side_of(document, side).show = static_cast<ShownChannel>(shown); });
 }

@@ -28,15 +28,6 @@ bool same_cost(const CostRequest& a, const CostRequest& b) {
 
 bool still(Session& session) { return !session.busy(); }
 
-void swatch(const Rgb8& level) {
-  const float size = ImGui::GetTextLineHeight();
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  auto& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, {at.x + size, at.y + size}, IM_COL32(level.r, level.g, level.b, 255), px(3));
-  list.AddRect(at, {at.x + size, at.y + size}, colour_u32(palette().line_strong), px(3));
-  ImGui::Dummy({size, size});
-}
-
 std::string level_text(const std::optional<Rgb8>& level) {
   return level ? fmt::format("{} {} {}", level->r, level->g, level->b) : std::string("outside");
 }
@@ -60,23 +51,18 @@ bool worst_list(Session& session, PixelsPanelState& state, const PicturesState& 
   static constexpr std::array kinds{Choice{"difference", "A against B", "The pixels whose levels differ most."},
                                     Choice{"cost-a", "Cost of A", "The pixels of A that need most tests."},
                                     Choice{"cost-b", "Cost of B", "The pixels of B that need most tests."}};
-  int kind = static_cast<int>(state.ranked);
-  if (choice("ranked", kinds, kind,
-             {.tooltip = "The measure by which pixels are sorted.",
-              .width = std::min(px(column_width - 20), ImGui::GetContentRegionAvail().x)}))
-    state.ranked = static_cast<PixelsPanelState::Ranked>(kind);
-  const bool words_fit =
-      ImGui::CalcTextSize("One for each neighbourhood").x + px(44) <= ImGui::GetContentRegionAvail().x;
+  choice_of("ranked", kinds, state.ranked,
+            {.tooltip = "The measure by which pixels are sorted.",
+             .width = std::min(px(column_width - 20), ImGui::GetContentRegionAvail().x)});
+  const bool words_fit = text_width("One for each neighbourhood") + px(44) <= ImGui::GetContentRegionAvail().x;
   toggle("apart", words_fit ? "One for each neighbourhood" : "Spread out", state.apart,
          {.tooltip = "Leaves out pixels within six of one that is worse, so that one edge does not fill the list."});
-  same_line_if_room(button_width("Fill"));
-  const bool fill = button_on_off("fill", "Fill", filled, {.tooltip = "Shows these lists in the whole window (Esc)."});
+  const bool fill = fill_button(filled, "Shows these lists in the whole window (Esc).");
   if (state.worst.empty()) {
-    ImGui::TextWrapped(
-        "%s", !still(session) || (state.ranked != PixelsPanelState::Ranked::difference && state.cost.busy())
-                  ? "Working ..."
-              : state.ranked == PixelsPanelState::Ranked::difference ? "A and B are identical in display levels."
-                                                                     : "No pixel needed a test.");
+    show_paragraph(!still(session) || (state.ranked != PixelsPanelState::Ranked::difference && state.cost.busy())
+                       ? "Working ..."
+                   : state.ranked == PixelsPanelState::Ranked::difference ? "A and B are identical in display levels."
+                                                                          : "No pixel needed a test.");
     return fill;
   }
   const std::string_view unit = state.ranked == PixelsPanelState::Ranked::difference ? "levels" : "tests";
@@ -93,9 +79,10 @@ bool worst_list(Session& session, PixelsPanelState& state, const PicturesState& 
       for (const Side side : both_sides) {
         const Image<Rgb8>& levels = pictures.pictures[index_of(side)].levels;
         if (!levels.contains(entry.pixel.x, entry.pixel.y)) continue;
-        swatch(levels.at(entry.pixel.x, entry.pixel.y));
+        const Rgb8 level = levels.at(entry.pixel.x, entry.pixel.y);
+        swatch({level.r, level.g, level.b});
         ImGui::SameLine();
-        ImGui::Text("%c  %s", letter_of(side), level_text(levels.at(entry.pixel.x, entry.pixel.y)).c_str());
+        show_text(fmt::format("{}  {}", letter_of(side), level_text(level)));
       }
       end_tooltip();
     }
@@ -128,10 +115,7 @@ void history_lines(const WatchedPixel& watched, float width, float height) {
 }
 
 void watched_list(Session& session, PixelsPanelState& state) {
-  {
-    const FontScope font(Face::bold);
-    ImGui::TextUnformatted("Watched pixels");
-  }
+  show_text("Watched pixels", {Face::bold});
   const auto picked = session.pixel();
   const bool watched = picked && state.watched.contains(*picked);
   const bool full = !watched && state.watched.all().size() >= WatchedPixels::most_pixels;
@@ -153,7 +137,7 @@ void watched_list(Session& session, PixelsPanelState& state) {
       side_letter(side);
       ImGui::SameLine(0, px(5));
       if (now) {
-        swatch(*now);
+        swatch({now->r, now->g, now->b});
         ImGui::SameLine(0, px(5));
       }
       value_text(fmt::format("{}/{}", name, side == Side::a ? "a" : "b"), level_text(now));
@@ -197,48 +181,33 @@ void histogram(const RegionStatistics& statistics, float width, float height) {
 
 void statistics_table(const RegionStatistics& statistics, Side side) {
   const char* id = side == Side::a ? "statistics-a" : "statistics-b";
-  if (!ImGui::BeginTable(id, 5, ImGuiTableFlags_SizingFixedFit)) return;
-  ImGui::TableSetupColumn("channel", ImGuiTableColumnFlags_WidthFixed, px(58));
-  for (const char* name : {"mean", "deviation", "lowest", "highest"})
-    ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed, px(value_width));
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  for (const char* name : {"mean", "± σ", "low", "high"}) {
-    ImGui::TableNextColumn();
-    number_text(name, 0, name);
+  if (!begin_numbers(id, 4, {.text = px(58), .numbers = px(value_width)})) return;
+  {
+    const TextScope quiet({.quiet = true});
+    numbers_row("");
+    for (const char* name : {"mean", "± σ", "low", "high"}) number_cell(name, name);
   }
-  ImGui::PopStyleColor();
   static constexpr std::array<const char*, 3> channels{"red", "green", "blue"};
   for (std::size_t i = 0; i < 3; ++i) {
     const ChannelStatistics& channel = statistics.channels[i];
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(channels[i]);
-    const std::array<double, 4> values{channel.mean, channel.deviation, static_cast<double>(channel.lowest),
-                                       static_cast<double>(channel.highest)};
-    for (const double value : values) {
-      ImGui::TableNextColumn();
-      number_text(value);
-    }
+    numbers_row(channels[i]);
+    for (const double value :
+         {channel.mean, channel.deviation, static_cast<double>(channel.lowest), static_cast<double>(channel.highest)})
+      number_cell(short_number(value), full_number(value));
   }
   ImGui::EndTable();
 }
 
 void region_view(Session& session, PixelsPanelState& state) {
-  {
-    const FontScope font(Face::bold);
-    ImGui::TextUnformatted("Levels of a rectangle");
-  }
-  ImGui::PushTextWrapPos(0);
+  show_text("Levels of a rectangle", {Face::bold});
   const auto& region = session.region();
   const std::string pixels = with_thousands(std::to_string(state.statistics[0].pixels));
-  value_text("region", region ? fmt::format("columns {} to {}, rows {} to {}: {} pixels", region->x0, region->x1 - 1,
-                                            region->y0, region->y1 - 1, pixels)
-                              : fmt::format("The whole picture, {} pixels. Drag with Shift in a picture to choose a "
-                                            "rectangle; Esc goes back to the whole picture.",
-                                            pixels));
-  ImGui::PopTextWrapPos();
+  value_paragraph("region", region
+                                ? fmt::format("columns {} to {}, rows {} to {}: {} pixels", region->x0, region->x1 - 1,
+                                              region->y0, region->y1 - 1, pixels)
+                                : fmt::format("The whole picture, {} pixels. Drag with Shift in a picture to choose a "
+                                              "rectangle; Esc goes back to the whole picture.",
+                                              pixels));
   for (const Side side : both_sides) {
     const RegionStatistics& statistics = state.statistics[index_of(side)];
     if (statistics.pixels == 0) continue;

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "gui/input/key_hint.h"
-#include "gui/panels/pictures/clipped_text.h"
 #include "gui/panels/pictures/marks.h"
 #include "gui/panels/pictures/picture_frame.h"
 #include "gui/widgets/draw.h"
@@ -33,8 +32,7 @@ Face strip_face(const Session& session) { return presents(session) ? Face::capti
 float unit_width(const Session& session) {
   constexpr double arrow = 32;  // at scale 1, with the space around the word
   float widest = 0;
-  for (const SlowUnitRow& row : slow_units())
-    widest = std::max(widest, width_of(strip_face(session), std::string(row.label)));
+  for (const SlowUnitRow& row : slow_units()) widest = std::max(widest, text_width(row.label, strip_face(session)));
   return widest + px(arrow);
 }
 
@@ -159,17 +157,15 @@ void slow_strip(Session& session, SlowMotionState& state) {
       step_slow_motion(session, state, 1);
     ImGui::SameLine(0, space);
   }
-  const float room = width - widths.rest, note = width_of(Face::small, order_note) + space;
+  const float room = width - widths.rest, note = text_width(order_note, Face::small) + space;
   const bool has_note = !presents(session) && room - note >= px(good_scrubber);
   scrubber(session, state, std::max(px(2 * knob), has_note ? room - note : room));
   if (has_note) {
     ImGui::SameLine(0, space);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImFont* small = theme().font(Face::small);
-    const float down = (ImGui::GetFrameHeight() - small->FontSize) / 2;
-    ImGui::GetWindowDrawList()->AddText(small, small->FontSize, {at.x, at.y + down}, colour_u32(palette().text_quiet),
-                                        order_note);
-    ImGui::Dummy({note - space, ImGui::GetFrameHeight()});
+    const ImVec2 size{note - space, ImGui::GetFrameHeight()};
+    draw_text(at, {at.x + size.x, at.y + size.y}, order_note, palette().text_quiet, 0, Face::small);
+    ImGui::Dummy(size);
     controls().record("slow/order", order_note);
     tooltip(order_words);
   }

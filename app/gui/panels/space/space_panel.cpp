@@ -98,7 +98,7 @@ void show_popup(Session& session, SpacePanelState& state) {
     }
   }
   ImGui::Spacing();
-  ImGui::TextUnformatted("Boxes down to level");
+  show_text("Boxes down to level");
   double deepest = outside(session).deepest_level, least = outside(session).least_contribution;
   if (number("level", deepest,
              {.minimum = 0, .maximum = std::max(1.0, static_cast<double>(state.model.deepest_level)), .integer = true},
@@ -112,10 +112,9 @@ void show_popup(Session& session, SpacePanelState& state) {
       state.whole_tree && !boxes)
     edit_outside(session, [&](OutsideView& look) { switch_group(look, SpaceGroup::nodes); });
   if (state.tree && state.tree->nodes > 0)
-    ImGui::TextUnformatted(fmt::format("{} nodes; {} primitives, listed {} times", state.tree->nodes,
-                                       state.tree->primitives, state.tree->entries)
-                               .c_str());
-  ImGui::TextUnformatted("Hide rays that contribute less than");
+    show_text(fmt::format("{} nodes; {} primitives, listed {} times", state.tree->nodes, state.tree->primitives,
+                          state.tree->entries));
+  show_text("Hide rays that contribute less than");
   if (number("least", least, {.minimum = 0, .maximum = 1},
              {.tooltip =
                   "Hides rays that contribute a smaller fraction of the pixel's colour, with all that belongs to them.",

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "gui/widgets/widgets.h"
+#include "gui/widgets/draw.h"
 #include "inspect/describe.h"
 #include "record/event_fields.h"
 
@@ -58,11 +58,10 @@ constexpr std::array<NumberStyle, 4> styles{{
 
 /// How wide a column must be for every number of these fields.
 float number_column_width(const std::vector<EventField>& fields, const NumberStyle& style) {
-  const FontScope font(style.face);
-  float widest = ImGui::CalcTextSize(style.usual).x;
+  float widest = text_width(style.usual, style.face);
   for (const EventField& field : fields)
     if (const auto numbers = numbers_of(field.value))
-      for (const double number : *numbers) widest = std::max(widest, ImGui::CalcTextSize(style.text(number).c_str()).x);
+      for (const double number : *numbers) widest = std::max(widest, text_width(style.text(number), style.face));
   return widest + px(9);
 }
 
@@ -94,10 +93,7 @@ void event_numbers(const Event& event, const Scene& scene, const Event* before) 
   const auto then = before ? event_table(*before, scene) : std::vector<FieldText>{};
   const float left = px(6), room = ImGui::GetContentRegionMax().x - left;  // the tree's indent would cost too much room
   float names = 0;
-  {
-    const FontScope small(Face::small);
-    for (const auto& text : texts) names = std::max(names, ImGui::CalcTextSize(text.name.c_str()).x);
-  }
+  for (const auto& text : texts) names = std::max(names, text_width(text.name, Face::small));
   const auto used = static_cast<float>(columns_of(fields));
   const auto beside = [&](const NumberStyle& style) { return room - number_column_width(fields, style) * used; };
   // Numbers in shorter forms beside their names, or else in the longest form that fits below them.
@@ -114,21 +110,11 @@ void event_numbers(const Event& event, const Scene& scene, const Event* before) 
     if (counts_a_light(fields[i])) continue;
     if (const std::string old = value_then(then, texts[i]); !old.empty()) {
       ImGui::SetCursorPosX(left + names);
-      ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-      ImGui::PushTextWrapPos(0);
-      ImGui::TextUnformatted(old.c_str());
-      ImGui::PopTextWrapPos();
-      ImGui::PopStyleColor();
+      quiet_text(old);
     }
-    float name_width = 0;
-    {
-      const FontScope small(Face::small);
-      ImGui::SetCursorPosX(left);
-      ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-      ImGui::TextUnformatted(texts[i].name.c_str());
-      ImGui::PopStyleColor();
-      name_width = ImGui::CalcTextSize(texts[i].name.c_str()).x;
-    }
+    ImGui::SetCursorPosX(left);
+    show_text(texts[i].name, {Face::small, true});
+    const float name_width = ImGui::GetItemRectSize().x;
     // Where a name leaves no room beside it, its value is below.
     bool first = true;
     const auto place = [&](float at) {
@@ -140,15 +126,13 @@ void event_numbers(const Event& event, const Scene& scene, const Event* before) 
     const auto numbers = numbers_of(fields[i].value);
     if (!numbers) {
       place(left + names);
-      ImGui::PushTextWrapPos(0);
-      ImGui::TextUnformatted(texts[i].value.c_str());
-      ImGui::PopTextWrapPos();
+      show_paragraph(texts[i].value);
     } else {
       for (std::size_t k = 0; k < numbers->size(); ++k) {
         const std::string text = style->text((*numbers)[k]);
-        const float width = ImGui::CalcTextSize(text.c_str()).x;
+        const float width = text_width(text);
         place(left + names + column * static_cast<float>(k + 1) - width);
-        ImGui::TextUnformatted(text.c_str());
+        show_text(text);
         farthest = std::max(farthest, ImGui::GetItemRectMax().x);
       }
     }

@@ -42,9 +42,9 @@ struct LedgerColumns {
   }
 };
 
-void number_at(ImDrawList& list, ImFont* font, float right, float top, const std::string& text, ImU32 colour) {
-  const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
-  list.AddText(font, font->FontSize, {right - width, top}, colour, text.c_str());
+void number_at(Face face, float right, float top, std::string_view text, const ImVec4& colour) {
+  const FontScope font(face);
+  draw_lines({right - text_width(text), top}, text, colour);
 }
 
 std::string number_in(const LedgerColumns& columns, double value) {
@@ -58,11 +58,10 @@ std::string number_in(const LedgerColumns& columns, double value) {
 /// The largest letters in which no number touches the one before it.
 void choose_digits(const PixelStory& story, LedgerColumns& columns) {
   const auto widest = [&](Face face) {
-    const FontScope font(face);
     float width = 0;
     for (const LedgerLine& line : story.ledger)
       for (int channel = 0; channel < 3; ++channel)
-        width = std::max(width, text_width(number_in(columns, line.value[channel])));
+        width = std::max(width, text_width(number_in(columns, line.value[channel]), face));
     return width;
   };
   const float room = columns.number - px(least_gap);
@@ -74,13 +73,11 @@ void choose_digits(const PixelStory& story, LedgerColumns& columns) {
 }
 
 void headings(const LedgerColumns& columns) {
-  auto& list = *ImGui::GetWindowDrawList();
-  ImFont* font = theme().font(Face::small);
   const float top = ImGui::GetCursorScreenPos().y;
   int channel = 0;
   for (const char* name : {"red", "green", "blue"})
-    number_at(list, font, columns.number_right(channel++), top, name, colour_u32(palette().text_quiet));
-  ImGui::Dummy({1, font->FontSize});
+    number_at(Face::small, columns.number_right(channel++), top, name, palette().text_quiet);
+  ImGui::Dummy({1, theme().font(Face::small)->FontSize});
 }
 
 /// The old number in one channel of a line; empty where it reads the same.
@@ -117,36 +114,32 @@ bool line_row(const std::string& name, const LedgerLine& line, bool selected, co
   if (changed) controls().record(name + "/then", fmt::format("{} {} {}", then[0], then[1], then[2]));
   tooltip(fmt::format("{}\n{}  {}  {}", line.term, full_number(line.value.x), full_number(line.value.y),
                       full_number(line.value.z)));
-  const ImU32 ink = colour_u32(palette().text);
   {
     const FontScope font(face);
     draw_lines({left, at.y}, lines, palette().text);
   }
   const float top = (columns.one_line ? at.y : at.y + words_height) + before;
   for (int channel = 0; channel < 3; ++channel) {
-    number_at(list, small, columns.number_right(channel), top - before, then.at(static_cast<std::size_t>(channel)),
-              colour_u32(palette().text_quiet));
-    number_at(list, digits, columns.number_right(channel), top, number_in(columns, line.value[channel]), ink);
+    number_at(Face::small, columns.number_right(channel), top - before, then.at(static_cast<std::size_t>(channel)),
+              palette().text_quiet);
+    number_at(columns.digits, columns.number_right(channel), top, number_in(columns, line.value[channel]),
+              palette().text);
   }
   const float size = px(swatch_size);
   const ImVec2 corner{columns.right - size, top + (pitch - size) / 2 - px(1)};
-  list.AddRectFilled(corner, {corner.x + size, corner.y + size}, swatch_colour(line.value));
-  list.AddRect(corner, {corner.x + size, corner.y + size}, colour_u32(palette().line_strong));
+  draw_swatch(list, corner, {size, size}, swatch_colour(line.value));
   return clicked;
 }
 
 /// Terms that the sum had then and has no more.
 void gone_lines(const std::string& name, const StoryChanges& changes) {
   int index = 0;
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  ImGui::PushTextWrapPos(0);
   for (const LedgerChange& line : changes.ledger)
     if (line.before && !line.after && *line.before != Vec3d(0, 0, 0))
-      value_text(fmt::format("{}/ledger-gone/{}", name, index++),
-                 fmt::format("gone: {}, was {} {} {}", line.term, short_number(line.before->x),
-                             short_number(line.before->y), short_number(line.before->z)));
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
+      value_paragraph(fmt::format("{}/ledger-gone/{}", name, index++),
+                      fmt::format("gone: {}, was {} {} {}", line.term, short_number(line.before->x),
+                                  short_number(line.before->y), short_number(line.before->z)),
+                      {.quiet = true});
 }
 
 }  // namespace
@@ -168,11 +161,7 @@ int ledger_view(const std::string& name, const PixelStory& story, int selected_e
     const std::string row = fmt::format("{}/ledger/{}", name, index);
     if (line.event >= 0 && line.event == shown && selected_term == "none") selected_term = line.term;
     if (tells_only(story, line)) {
-      ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-      ImGui::PushTextWrapPos(0);
-      value_text(row, line.term);
-      ImGui::PopTextWrapPos();
-      ImGui::PopStyleColor();
+      value_paragraph(row, line.term, {.quiet = true});
     } else if (line_row(row, line, line.event >= 0 && line.event == shown, columns, change)) {
       clicked = line.event;
     }

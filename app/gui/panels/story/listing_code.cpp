@@ -26,27 +26,20 @@ float stepper_width(const ListingRow& row) { return text_width(instance_text(row
 int stepper(const ListingRow& row, std::size_t index) {
   int by = 0;
   const float line = ImGui::GetTextLineHeight();
-  const auto arrow = [&](const char* name, const char* sign, int direction, bool dead) {
-    ImGui::PushID(static_cast<int>(index) * 2 + (direction > 0));
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const ImVec2 size{px(20), line};
-    const bool clicked = ImGui::InvisibleButton(name, size) && !dead;
-    const bool hovered = ImGui::IsItemHovered() && !dead;
-    controls().record(fmt::format("line-{}/{}", row.number, name), sign, !dead);
-    if (hovered)
-      ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x, at.y + size.y}, colour_u32(palette().field_hover),
-                                                px(3));
-    draw_text(at, {at.x + size.x, at.y + size.y}, sign, dead ? palette().text_disabled : palette().text, 0.5f);
+  const auto arrow = [&](const char* part, const char* sign, int direction) {
+    const std::string name = fmt::format("line-{}/{}", row.number, part);
+    ImGui::PushID(static_cast<int>(index));
+    if (word_button(name, sign, px(20), {.height = line}, {})) by = direction;
     ImGui::PopID();
-    if (clicked) by = direction;
+    controls().record(name, sign);
   };
-  arrow("previous", "‹", -1, false);
+  arrow("previous", "‹", -1);
   ImGui::SameLine(0, 0);
   const std::string text = instance_text(row);
-  ImGui::TextUnformatted(whole_words(text, ImGui::GetContentRegionAvail().x - px(20)).c_str());
+  show_text(whole_words(text, ImGui::GetContentRegionAvail().x - px(20)));
   controls().record(fmt::format("line-{}/instance", row.number), text);
   ImGui::SameLine(0, 0);
-  arrow("next", "›", 1, false);
+  arrow("next", "›", 1);
   return by;
 }
 
@@ -67,14 +60,12 @@ void values(const ListingRow& row, float left) {
       ImGui::SetCursorScreenPos({left, ImGui::GetCursorScreenPos().y});
     }
     first = false;
-    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-    ImGui::TextUnformatted(name.c_str());
-    ImGui::PopStyleColor();
+    show_text(name, {.quiet = true});
     if (left + needed <= right)
       ImGui::SameLine(0, 0);
     else
       ImGui::SetCursorScreenPos({left, ImGui::GetCursorScreenPos().y});  // it has lines of its own
-    ImGui::TextUnformatted(in_lines(value.value, right - ImGui::GetCursorScreenPos().x).c_str());
+    show_text(in_lines(value.value, right - ImGui::GetCursorScreenPos().x));
     all += (all.empty() ? "" : ", ") + value.name + " = " + value.value;
   }
   if (!row.values.empty()) controls().record(fmt::format("line-{}", row.number), all);
@@ -231,10 +222,7 @@ std::optional<ListingStep> listing_code(const std::vector<ListingRow>& rows, boo
     const auto named = marks.marked ? std::nullopt : routine_named(rows, marks.routine);
     LookedFor places;
     int first_seen = 0;
-    if (!marks.remark.empty()) {
-      const FontScope words(Face::small);
-      quiet_text(marks.remark);
-    }
+    if (!marks.remark.empty()) show_paragraph(marks.remark, {Face::small, true});
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const float at = ImGui::GetCursorPosY();
       if (first_seen == 0 && at + px(2) >= ImGui::GetScrollY()) first_seen = rows[i].number;

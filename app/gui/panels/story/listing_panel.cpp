@@ -65,9 +65,7 @@ std::string levels_text(const std::array<int, 3>& c) { return fmt::format("{} {}
 void choose_code(ListingPanelState& state) {
   static constexpr std::array kinds{Choice{"shaders", "Shaders", "The shaders that drew the picked pixel."},
                                     Choice{"routine", "Routine", "A lesson's routine, in C++."}};
-  int index = static_cast<int>(state.code);
-  if (choice("code", kinds, index, {.tooltip = "What is listed.", .width = px(code_width)}))
-    state.code = static_cast<ListingPanelState::Code>(index);
+  choice_of("code", kinds, state.code, {.tooltip = "What is listed.", .width = px(code_width)});
 }
 
 /// Whether there is room behind the item that was drawn last.
@@ -77,10 +75,8 @@ bool fill_has_room() {
 }
 
 /// Answers whether to fill the window, or no longer.
-bool fill_button(bool filled) {
-  same_line_if_room(button_width("Fill"));
-  return button_on_off("fill", "Fill", filled,
-                       {.tooltip = "Shows the listing in the whole window; Esc goes back.", .disabled = {}});
+bool fill_by_button(bool filled) {
+  return fill_button(filled, "Shows the listing in the whole window; Esc goes back.");
 }
 
 /// The listing that is shown, without a bug in it; nullptr if none is.
@@ -106,8 +102,7 @@ Side listed_side(const Session& session, const ListingPanelState& state) {
 void routine_controls(Session& session, ListingPanelState& state, Side side, const PanelHost& host) {
   const Option* option = find_option("listing");
   int index = session.settings(side).listing;
-  if (drop_down("which", option->choices, index, px(choice_width),
-                {.tooltip = "The lesson whose routine is shown.", .disabled = {}})) {
+  if (drop_down("which", option->choices, index, px(choice_width), {.tooltip = "The lesson whose routine is shown."})) {
     Settings settings = session.settings(side);
     settings.listing = index;
     session.navigate([](Document& document) { document.story.listing_instance = -1; });
@@ -116,9 +111,9 @@ void routine_controls(Session& session, ListingPanelState& state, Side side, con
   const bool shown = runs_listing(session.settings(side).renderer);
   const std::string label = fmt::format("Its picture in {}", letter_of(side));
   same_line_if_room(button_width(label));
-  if (button_on_off("picture", label, shown,
-                    {.tooltip = "Renders the picture with the listing. Again: with the ray tracer or the rasterizer.",
-                     .disabled = {}})) {
+  if (button_on_off(
+          "picture", label, shown,
+          {.tooltip = "Renders the picture with the listing. Again: with the ray tracer or the rasterizer."})) {
     Settings settings = session.settings(side);
     const bool rays = state.shown_story && state.shown_story->listing &&
                       state.shown_story->listing->listing.listing->order == ListingOrder::pixel_by_pixel;
@@ -139,14 +134,13 @@ std::string colours_text(const Session& session, const ListingPanelState& state,
 }
 
 void colours_line(const std::string& colours) {
-  const FontScope font(Face::mono);
-  value_paragraph("colour", colours);
+  value_paragraph("colour", colours, {Face::mono});
   tooltip("The pixel's colour by this listing, and in the picture: red, green and blue, 0 to 255.");
 }
 
 bool toolbar(Session& session, ListingPanelState& state, Side side, bool filled, const PanelHost& host) {
   routine_controls(session, state, side, host);
-  const bool fill = fill_button(filled);
+  const bool fill = fill_by_button(filled);
   if (const std::string colours = colours_text(session, state, side); !colours.empty()) {
     same_line_if_room(text_width(colours), px(16));
     colours_line(colours);
@@ -228,7 +222,7 @@ bool ListingPanel::head() {
     ImGui::OpenPopup("listing-more");
   const ImVec2 corner{ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + px(2)};
   const bool room = fill_has_room();
-  bool fill = room && fill_button(false);
+  bool fill = room && fill_by_button(false);
   ImGui::SetNextWindowPos(corner);
   ImGui::SetNextWindowSizeConstraints({px(menu_width), 0}, {px(menu_width), px(menu_width)});
   if (ImGui::BeginPopup("listing-more")) {
@@ -252,8 +246,8 @@ bool ListingPanel::draw(const Context& context) {
   if (!session.has_scene()) return false;
   if (own_listing_question(session, state.own)) return false;
   if (state.own.file && !state.marks.answer) {
-    ImGui::TextUnformatted("Your file");
-    const bool fill = fill_button(filled);
+    show_text("Your file");
+    const bool fill = fill_by_button(filled);
     same_line_if_room(button_width("Stop"));
     own_listing_view(session, state.own);
     return fill;
@@ -269,7 +263,7 @@ bool ListingPanel::draw(const Context& context) {
   if (has_shaders(session.settings(side))) {
     choose_code(state);
     if (state.code == ListingPanelState::Code::shaders) {
-      const bool fill = fill_button(filled);
+      const bool fill = fill_by_button(filled);
       shader_panel(session, state.shaders, side, *pixel);
       return fill;
     }

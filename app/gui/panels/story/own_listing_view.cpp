@@ -81,22 +81,6 @@ std::string state_text(const Session& session, const OwnListingState& state) {
   return verdict_text(outcome.wrong, outcome.size.x, outcome.size.y);
 }
 
-/// A path in lines, which end behind a "/" or "_" where the room ends: it has no blanks to break at.
-void path_text(std::string_view name, const std::string& path) {
-  const float width = ImGui::GetContentRegionAvail().x;
-  std::string lines, line;
-  for (std::size_t from = 0; from < path.size();) {
-    const std::size_t mark = path.find_first_of("/_", from);
-    const std::string part = path.substr(from, mark == std::string::npos ? mark : mark + 1 - from);
-    from += part.size();
-    if (!line.empty() && text_width(line + part) > width) lines += std::exchange(line, {}) + '\n';
-    line += part;
-  }
-  lines += line;
-  ImGui::TextUnformatted(lines.c_str());
-  controls().record(name, path);
-}
-
 void file_row(Session& session, OwnListingState& state) {
   const bool busy = state.worker.busy();
   if (button("stop", "Stop", Emphasis::plain,
@@ -127,10 +111,10 @@ void file_row(Session& session, OwnListingState& state) {
   }
   const std::filesystem::path& file = state.file->file();
   const FontScope font(Face::mono_small);
-  path_text("file", file.filename().string());
-  path_text("folder", "in " + file.parent_path().string());
+  value_paragraph("file", file.filename().string());
+  value_paragraph("folder", "in " + file.parent_path().string());
   tooltip("Edit this file with any editor. It is compiled and run each time that you save it.");
-  value_paragraph("protection", std::string(protection_sentence()));
+  value_paragraph("protection", protection_sentence());
 }
 
 }  // namespace

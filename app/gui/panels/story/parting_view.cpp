@@ -27,18 +27,13 @@ void compare(const Session& session, PartingViewState& state,
 
 void sentence(const Parting& parting) {
   if (parting.cause != PartingCause::none) {
-    const FontScope font(Face::small);
-    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-    ImGui::TextUnformatted("cause");
-    ImGui::PopStyleColor();
+    show_text("cause", {Face::small, true});
     ImGui::SameLine(0, px(8));
     std::string words(parting_cause_key(parting.cause));
     std::replace(words.begin(), words.end(), '-', ' ');
-    const FontScope bold(Face::bold);
-    value_text("cause", words);
+    value_text("cause", words, {Face::bold});
   }
-  const FontScope font(Face::heading);
-  value_paragraph("sentence", parting.sentence);
+  value_paragraph("sentence", parting.sentence, {Face::heading});
 }
 
 std::string text_of(const PixelStory& story, int event, const Scene& scene) {
@@ -138,11 +133,9 @@ void steps(Session& session, PartingViewState& state) {
       });
   }
   state.reveal = false;
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  if (equal > 0) ImGui::TextWrapped("%d steps are the same in both.", equal);
-  if (quiet > 0) ImGui::TextWrapped("%d more are boxes and triangles that the rays of A or B missed.", quiet);
-  if (shown == most_rows) ImGui::TextWrapped("The first %d are shown.", most_rows);
-  ImGui::PopStyleColor();
+  if (equal > 0) quiet_text(fmt::format("{} steps are the same in both.", equal));
+  if (quiet > 0) quiet_text(fmt::format("{} more are boxes and triangles that the rays of A or B missed.", quiet));
+  if (shown == most_rows) quiet_text(fmt::format("The first {} are shown.", most_rows));
 }
 
 }  // namespace
@@ -150,12 +143,7 @@ void steps(Session& session, PartingViewState& state) {
 void parting_view(Session& session, PartingViewState& state,
                   const std::array<std::shared_ptr<const PixelStory>, 2>& stories) {
   const NameScope scope("parting");
-  if (!stories[0] || !stories[1]) {
-    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-    ImGui::TextWrapped("Both stories are needed to compare them.");
-    ImGui::PopStyleColor();
-    return;
-  }
+  if (!stories[0] || !stories[1]) return quiet_text("Both stories are needed to compare them.");
   compare(session, state, stories);
   sentence(state.parting);
   ImGui::Spacing();

@@ -44,9 +44,9 @@ void gone_events(const PinnedStory& pinned) {
       ++left_out;
       continue;
     }
-    value_paragraph(fmt::format("gone/{}", listed++), "gone: " + step.text);
+    value_paragraph(fmt::format("gone/{}", listed++), "gone: " + step.text, {.quiet = true});
   }
-  if (left_out > 0) ImGui::Text("and %zu more that are gone", left_out);
+  if (left_out > 0) quiet_text(fmt::format("and {} more that are gone", left_out));
 }
 
 /// The user's changes since the pixel was pinned: "reflection-depth=1, camera".
@@ -133,7 +133,7 @@ void pin_view(Session& session, PinState& state, Side side, const std::shared_pt
   if (!session.document().pin || !pinned || !story) return;
   const NameScope scope("pin");
   if (pinned->pixel != story->pixel) {
-    ImGui::TextWrapped("Pixel (%d, %d) is pinned; this is another one.", pinned->pixel.x, pinned->pixel.y);
+    show_paragraph(fmt::format("Pixel ({}, {}) is pinned; this is another one.", pinned->pixel.x, pinned->pixel.y));
     ImGui::SameLine();
     if (button("back", "Go there", Emphasis::quiet)) session.set_pixel(pinned->pixel);
     return;
@@ -144,17 +144,13 @@ void pin_view(Session& session, PinState& state, Side side, const std::shared_pt
                                                                     changes.changed_steps == 1 ? "" : "s");
   if (!section("changes", "Changed since the pin", state.open[index], note)) return;
   const std::string changed = changes_since(session.document(), side);
-  ImGui::PushTextWrapPos(0);
-  value_text("options", changed.empty() ? "No option has changed since then." : "Since then: " + changed);
+  value_paragraph("options", changed.empty() ? "No option has changed since then." : "Since then: " + changed);
   const auto& old = changes.display_before;
   const auto& now = changes.display_after;
-  value_text("display", (old == now ? "The colour has not changed: " : "Colour: ") +
-                            both_text(fmt::format("{} {} {}", old[0], old[1], old[2]),
-                                      fmt::format("{} {} {}", now[0], now[1], now[2])));
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  value_paragraph("display", (old == now ? "The colour has not changed: " : "Colour: ") +
+                                 both_text(fmt::format("{} {} {}", old[0], old[1], old[2]),
+                                           fmt::format("{} {} {}", now[0], now[1], now[2])));
   gone_events(state.stories[index]);
-  ImGui::PopStyleColor();
-  ImGui::PopTextWrapPos();
   ImGui::Spacing();
 }
 

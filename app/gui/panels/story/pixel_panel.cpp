@@ -21,8 +21,6 @@ namespace {
 
 std::string prefix(Side side) { return side == Side::a ? "a" : "b"; }
 
-ImVec2 line_square() { return {ImGui::GetTextLineHeight(), ImGui::GetTextLineHeight()}; }
-
 /// The pixel in the picture's way of counting, the book's in the tooltip.
 void place(Session& session, Vec2i pixel) {
   const View view = session.view();
@@ -43,27 +41,22 @@ void verdict(const PixelStory& story, Side side) {
     side_letter(side);
   }
   ImGui::SameLine(0, px(8));
-  swatch(story.display, line_square());
+  swatch(story.display);
   {
     const FontScope font(Face::mono);
     const std::string levels = fmt::format("{} {} {}", story.display[0], story.display[1], story.display[2]);
-    same_line_if_room(ImGui::CalcTextSize(levels.c_str()).x, px(8));
+    same_line_if_room(text_width(levels), px(8));
     value_text(prefix(side) + "/colour", levels);
   }
   tooltip("Red, green and blue as displayed, 0 to 255.");
-  const FontScope font(Face::heading);
-  value_paragraph(prefix(side) + "/verdict", story.verdict);
+  value_paragraph(prefix(side) + "/verdict", story.verdict, {Face::heading});
 }
 
 void work(const PixelStory& story, const std::string& name) {
-  if (!ImGui::BeginTable(name.c_str(), 2, ImGuiTableFlags_SizingFixedFit)) return;
-  ImGui::TableSetupColumn("work", ImGuiTableColumnFlags_WidthStretch);
-  ImGui::TableSetupColumn("count", ImGuiTableColumnFlags_WidthFixed, px(90));
+  if (!begin_numbers(name.c_str(), 1, {.numbers = px(90)})) return;
   const auto row = [](std::string_view label, std::uint64_t count) {
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(label.data(), label.data() + label.size());
-    ImGui::TableNextColumn();
-    number_text(count_text(count), 0, std::to_string(count));
+    numbers_row(label);
+    number_cell(count_text(count), std::to_string(count));
   };
   for (std::size_t i = 0; i < counter_count; ++i) {
     const auto counter = static_cast<Counter>(i);
@@ -76,9 +69,7 @@ void work(const PixelStory& story, const std::string& name) {
 /// The steps that the renderer cannot report.
 void not_reported(const PixelStory& story, const std::string& name) {
   if (story.not_reported.empty()) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  value_paragraph(name + "/not-reported", story.not_reported);
-  ImGui::PopStyleColor();
+  value_paragraph(name + "/not-reported", story.not_reported, {.quiet = true});
 }
 
 std::string event_count(const PixelStory& story) {
@@ -115,21 +106,16 @@ void full_story(Session& session, PixelPanelState& state, Side side, const Pixel
 void file_pixel(Session& session, Vec2i pixel, const std::shared_ptr<const PixelStory>& ours) {
   const PictureFile& file = *session.picture_b();
   const Rgb8 level = file.levels.at(pixel.x, pixel.y);
-  swatch({level.r, level.g, level.b}, line_square());
+  swatch({level.r, level.g, level.b});
   ImGui::SameLine(0, px(8));
-  {
-    const FontScope font(Face::mono);
-    value_text("b/colour", fmt::format("{} {} {}", level.r, level.g, level.b));
-  }
-  ImGui::PushTextWrapPos(0);
-  value_text("b/verdict", fmt::format("B is the picture {}; a file has no story.", file.path));
+  value_text("b/colour", fmt::format("{} {} {}", level.r, level.g, level.b), {Face::mono});
+  value_paragraph("b/verdict", fmt::format("B is the picture {}; a file has no story.", file.path));
   if (ours) {
     const auto& own = ours->display;
-    value_text("b/difference",
-               fmt::format("B − A: {:+} red, {:+} green, {:+} blue (of 255). The story below is that of A.",
-                           level.r - own[0], level.g - own[1], level.b - own[2]));
+    value_paragraph("b/difference",
+                    fmt::format("B − A: {:+} red, {:+} green, {:+} blue (of 255). The story below is that of A.",
+                                level.r - own[0], level.g - own[1], level.b - own[2]));
   }
-  ImGui::PopTextWrapPos();
 }
 
 /// The selected event is shown in space and in the microscope, so it must belong to the story that these show.
@@ -165,11 +151,9 @@ void both(Session& session, PixelPanelState& state, const std::array<std::shared
     std::array<int, 3> apart{};
     for (std::size_t i = 0; i < 3; ++i) apart[i] = stories[1]->display[i] - stories[0]->display[i];
     const bool same = apart == std::array<int, 3>{};
-    ImGui::PushTextWrapPos(0);
-    value_text("both/difference",
-               same ? "Both pictures have the same display levels here."
-                    : fmt::format("B − A: {:+} red, {:+} green, {:+} blue (of 255)", apart[0], apart[1], apart[2]));
-    ImGui::PopTextWrapPos();
+    value_paragraph("both/difference", same ? "Both pictures have the same display levels here."
+                                            : fmt::format("B − A: {:+} red, {:+} green, {:+} blue (of 255)", apart[0],
+                                                          apart[1], apart[2]));
     ImGui::Spacing();
   }
   const float room = ImGui::GetContentRegionAvail().x;
@@ -194,13 +178,9 @@ void both(Session& session, PixelPanelState& state, const std::array<std::shared
 }
 
 void nothing_picked(Session& session) {
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(session.has_scene() ? "Click any pixel, in either picture: how it got its colour "
-                                               "is shown here.\n\nThe arrow keys then go from pixel to pixel."
-                                             : "Nothing is open.");
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
+  quiet_text(session.has_scene() ? "Click any pixel, in either picture: how it got its colour "
+                                   "is shown here.\n\nThe arrow keys then go from pixel to pixel."
+                                 : "Nothing is open.");
 }
 
 /// The part of the pixel's stories that is shown: that of the picked side, both, or the place where they part.
@@ -330,8 +310,7 @@ void PixelPanel::story() {
       if (stories[0]) full_story(session, state, Side::a, *stories[0], copy);
       break;
     }
-    if (const auto message = session.work().inspector(side).message(); !message.empty())
-      ImGui::TextWrapped("%s", message.c_str());
+    if (const auto message = session.work().inspector(side).message(); !message.empty()) show_paragraph(message);
     if (const auto& story = stories[index_of(side)]) full_story(session, state, side, *story, copy);
     break;
   }

@@ -24,7 +24,7 @@ void ask_colour(Guess& guess) {
   static constexpr std::array names{"red", "green", "blue"};
   for (std::size_t i = 0; i < names.size(); ++i) {
     double level = guess.colour[i];
-    ImGui::TextUnformatted(names[i]);
+    show_text(names[i]);
     ImGui::SameLine(px(64));
     if (number(names[i], level, {.minimum = 0, .maximum = 255, .integer = true}, {.width = px(120)}).changed)
       guess.colour[i] = static_cast<int>(level);
@@ -69,18 +69,12 @@ void ask_triangle(const Scene& scene, PredictState& state) {
   state.chosen = true;
 }
 
-void ask_rays(Guess& guess) {
-  double rays = guess.rays;
-  if (number("rays", rays, {.minimum = 0, .maximum = 100000, .integer = true, .unit = "rays"}, {.width = px(160)})
+/// How many: `what` names the field and is its unit.
+void ask_count(const char* what, int& count, double maximum) {
+  double value = count;
+  if (number(what, value, {.minimum = 0, .maximum = maximum, .integer = true, .unit = what}, {.width = px(160)})
           .changed)
-    guess.rays = static_cast<int>(rays);
-}
-
-void ask_tests(Guess& guess) {
-  double tests = guess.tests;
-  if (number("tests", tests, {.minimum = 0, .maximum = 1e9, .integer = true, .unit = "tests"}, {.width = px(160)})
-          .changed)
-    guess.tests = static_cast<int>(tests);
+    count = static_cast<int>(value);
 }
 
 const char* sentence_of(Question question) {
@@ -186,20 +180,11 @@ void predict_panel(Session& session, PredictState& state) {
   const auto pixel = session.pixel();
   if (!pixel) return;
   const auto story = session.story(side);
-  {
-    const FontScope font(Face::bold);
-    ImGui::PushTextWrapPos(0);
-    value_text("question", state.words.empty() ? sentence_of(state.question) : state.words);
-    ImGui::PopTextWrapPos();
-  }
+  value_paragraph("question", state.words.empty() ? sentence_of(state.question) : state.words, {Face::bold});
   value_text("about", fmt::format("pixel ({}, {}) of {}", pixel->x, pixel->y, letter_of(side)));
   ImGui::Spacing();
   if (state.words.empty()) {
-    int index = static_cast<int>(state.question);
-    if (choice("ask", questions, index)) {
-      state.chosen = false;
-      state.question = static_cast<Question>(index);
-    }
+    if (choice_of("ask", questions, state.question)) state.chosen = false;
     ImGui::Spacing();
   }
   switch (state.question) {
@@ -213,10 +198,10 @@ void predict_panel(Session& session, PredictState& state) {
     ask_triangle(session.scene(), state);
     break;
   case Question::rays:
-    ask_rays(state.guess);
+    ask_count("rays", state.guess.rays, 100000);
     break;
   case Question::tests:
-    ask_tests(state.guess);
+    ask_count("tests", state.guess.tests, 1e9);
     break;
   }
   ImGui::Spacing();
@@ -242,7 +227,7 @@ void predict_panel(Session& session, PredictState& state) {
   ImGui::SameLine();
   const bool of_lesson = !state.words.empty();
   if (button("skip", of_lesson ? "Skip" : "Show me", Emphasis::quiet,
-             {.tooltip = "Shows the story without an answer; no points.", .disabled = {}})) {
+             {.tooltip = "Shows the story without an answer; no points."})) {
     state.judgement = {};
     state.answered = true;
     if (!state.words.empty()) state.lesson->take(session, "", {});
@@ -260,12 +245,7 @@ void prediction_verdict(Session& session, PredictState& state) {
     return;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::Indent(px(16));
-  ImGui::PushTextWrapPos(0);
-  {
-    const FontScope font(Face::bold);
-    value_text("verdict", state.judgement.sentence);
-  }
-  ImGui::PopTextWrapPos();
+  value_paragraph("verdict", state.judgement.sentence, {Face::bold});
   verdict_bar(at, state.judgement);
   ImGui::Unindent(px(16));
   value_text("score",

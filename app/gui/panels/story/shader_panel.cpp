@@ -48,7 +48,7 @@ void choose_draw(ShaderPanelState& state) {
   int index = std::min(state.draw, static_cast<int>(draws.size()) - 1);
   same_line_if_room(px(draw_width));
   if (drop_down("pass", choices, index, px(draw_width),
-                {.tooltip = "The programs that draw this pixel, in drawing order.", .disabled = {}}))
+                {.tooltip = "The programs that draw this pixel, in drawing order."}))
     state.draw = index;
 }
 
@@ -56,10 +56,8 @@ void choose_stage(ShaderPanelState& state) {
   static constexpr std::array stages{
       Choice{"vertex", "Vertex", "The shader that places each vertex of the triangle."},
       Choice{"fragment", "Fragment", "The shader that gives each pixel of the triangle its colour."}};
-  int index = static_cast<int>(state.stage);
   same_line_if_room(px(stage_width));
-  if (choice("part", stages, index, {.tooltip = "The shader.", .width = px(stage_width)}))
-    state.stage = static_cast<ShaderStage>(index);
+  choice_of("part", stages, state.stage, {.tooltip = "The shader.", .width = px(stage_width)});
 }
 
 void look_at(ShaderPanelState& state, int row) {
@@ -73,7 +71,7 @@ void go_to_file(ShaderPanelState& state) {
   int index = 0;
   same_line_if_room(px(file_width));
   if (!drop_down("file", choices, index, px(file_width),
-                 {.tooltip = "The definitions, the file with main(), and those that it includes.", .disabled = {}}))
+                 {.tooltip = "The definitions, the file with main(), and those that it includes."}))
     return;
   look_at(state, index == 1 ? 1 : state.files[static_cast<std::size_t>(index - 2)].row);
 }

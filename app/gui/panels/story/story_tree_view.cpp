@@ -40,10 +40,9 @@ struct TreeDrawing {
 
   /// The parts without room in the row, a line each.
   void details(int index) const {
-    const FontScope font(Face::small);
     int line = 0;
     for (const std::string& text : row_details(event(index), scene))
-      value_paragraph(fmt::format("{}/detail/{}/{}", name, index, line++), text);
+      value_paragraph(fmt::format("{}/detail/{}/{}", name, index, line++), text, {Face::small});
   }
 
   /// The description of an event when the pixel was pinned, below the row of the event now.
@@ -53,13 +52,10 @@ struct TreeDrawing {
     if (!old) return;  // its row says that it is new
     const std::string before = describe(*old, scene);
     if (before == describe(event(index), scene)) return;
-    const FontScope font(Face::small);
-    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetTreeNodeToLabelSpacing() + px(6));
-    value_paragraph(fmt::format("{}/was/{}", name, index), "was: " + before);
+    value_paragraph(fmt::format("{}/was/{}", name, index), "was: " + before, {Face::small, true});
     const ImVec2 low = ImGui::GetItemRectMin();
     mark_left({low.x - px(6), low.y}, ImGui::GetItemRectMax());
-    ImGui::PopStyleColor();
   }
   bool is_new(int index) const { return pinned && pinned->step_of(index).changed && !then(index); }
   /// Said once for all that happened inside it.
@@ -72,12 +68,10 @@ struct TreeDrawing {
   /// One row with its icon; answers what became of it. `rows` names it among the controls.
   TreeRow row(int index, const std::string& text, TreeKind kind, bool open, EventWeight weight) {
     const float icon = px(11);
-    const FontScope font(row_face(weight));
+    const TextScope look({row_face(weight), weight == EventWeight::quiet});
     const float label = ImGui::GetCursorScreenPos().x + ImGui::GetFontSize() + px(6);  // where tree_row leaves it room
-    ImGui::PushStyleColor(ImGuiCol_Text, weight == EventWeight::quiet ? palette().text_quiet : palette().text);
     const auto result =
         tree_row(fmt::format("{}/event/{}", name, index), text, kind, state.selected == index, open, icon + px(6));
-    ImGui::PopStyleColor();
     if (is_new(index)) mark_left(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
     const float middle = ImGui::GetItemRectMin().y + px(1) + ImGui::GetTextLineHeight() / 2;
     draw_event_icon(*ImGui::GetWindowDrawList(), event(index), {label + icon / 2, middle}, icon);
@@ -154,15 +148,13 @@ struct TreeDrawing {
 };
 
 void page_row(const std::string& name, StoryTreeState& state, int pages, int count) {
-  if (button(name + "/page-before", "Before", Emphasis::quiet,
-             {.tooltip = {}, .disabled = state.page == 0 ? "first page" : ""}))
+  if (button(name + "/page-before", "Before", Emphasis::quiet, {.disabled = state.page == 0 ? "first page" : ""}))
     --state.page;
   ImGui::SameLine();
   const int from = state.page * events_per_page + 1;
   ImGui::Text("events %d to %d of %d", from, std::min(from + events_per_page - 1, count), count);
   ImGui::SameLine();
-  if (button(name + "/page-after", "After", Emphasis::quiet,
-             {.tooltip = {}, .disabled = state.page + 1 == pages ? "last page" : ""}))
+  if (button(name + "/page-after", "After", Emphasis::quiet, {.disabled = state.page + 1 == pages ? "last page" : ""}))
     ++state.page;
 }
 

@@ -48,14 +48,8 @@ void matrix(const Mat4d& m) {
 /// Where the vertex is after a step; what an edit changed shows beside it.
 template <class Place>
 void result(std::string_view name, const Place& now, const Place& plain) {
-  {
-    const FontScope font(Face::mono_bold);
-    value_text(name, place_text(now));
-  }
-  if (now != plain) {
-    const FontScope font(Face::small);
-    ImGui::TextUnformatted(("was " + place_text(plain)).c_str());
-  }
+  value_text(name, place_text(now), {Face::mono_bold});
+  if (now != plain) show_text("was " + place_text(plain), {Face::small});
 }
 
 /// One step in a frame of its own; cards are side by side as far as there is room.
@@ -68,17 +62,10 @@ void card(int number, const char* title, const char* says, Body&& body) {
   ImGui::BeginGroup();
   ImGui::PushItemWidth(px(card_width));
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  {
-    const FontScope font(Face::bold);
-    ImGui::TextUnformatted((number > 0 ? fmt::format("{}  {}", number, title) : std::string(title)).c_str());
-  }
+  show_text(number > 0 ? fmt::format("{}  {}", number, title) : title, {Face::bold});
   {
     const FontScope font(Face::small);
-    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + px(card_width));
-    ImGui::TextUnformatted(says);
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
+    show_text(in_lines(says, px(card_width)), {.quiet = true});
   }
   body();
   ImGui::PopItemWidth();
@@ -125,7 +112,7 @@ void camera_card(const VertexChain& now, const VertexChain& plain) {
 void clip_card(Session& session, const VertexChain& now, const VertexChain& plain) {
   card(4, "clip", "Distances to the planes; negative = clipped (CGFS ch. 11).", [&] {
     double near = session.document().story.vertex_edits.near.value_or(session.settings(inspected_side(session)).near);
-    ImGui::TextUnformatted("near");
+    show_text("near");
     ImGui::SameLine(0, px(8));
     const Option* option = find_option("near");
     if (number("near", near, {.minimum = option->minimum, .maximum = option->maximum, .scale = option->scale},
@@ -134,9 +121,9 @@ void clip_card(Session& session, const VertexChain& now, const VertexChain& plai
       try_out(session, [&](VertexEdits& edits) { edits.near = near; });
     for (const PlaneDistance& plane : now.planes) {
       const bool cut = plane.distance < 0;
-      const FontScope font(Face::mono);
       value_text(fmt::format("plane-{}", plane.plane),
-                 fmt::format("{:<12} {:>9}{}", plane.plane, ps::number_text(plane.distance), cut ? "  outside" : ""));
+                 fmt::format("{:<12} {:>9}{}", plane.plane, ps::number_text(plane.distance), cut ? "  outside" : ""),
+                 {Face::mono});
     }
     if (now.planes.empty()) quiet_text("Clipping is off.");
     result("clip", now.clip, plain.clip);
@@ -147,10 +134,7 @@ void viewport_card(const VertexChain& now, const VertexChain& plain) {
   card(5, "projection", "x and y divided by w, which is z: pixels from the centre, y up (CGFS ch. 9).", [&] {
     matrix(now.to_clip);
     result("centred", now.centred, plain.centred);
-    const FontScope font(Face::small);
-    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-    value_text("viewport", "on the viewport " + place_text(now.viewport));
-    ImGui::PopStyleColor();
+    value_text("viewport", "on the viewport " + place_text(now.viewport), {Face::small, true});
   });
 }
 
@@ -181,19 +165,16 @@ bool toolbar(Session& session, const VertexChain& chain, bool filled) {
     keep(session, kept ? std::optional(vertex) : std::nullopt);
   same_line_if_room(button_width("Show in space"));
   if (button("space", "Show in space", Emphasis::plain,
-             {.tooltip = "Keeps the vertex, and shows it in the view from outside.", .disabled = {}})) {
+             {.tooltip = "Keeps the vertex, and shows it in the view from outside."})) {
     keep(session, vertex);
     session.navigate([](Document& document) { document.layout.bottom_tab = tool_names::space; });
   }
   if (session.document().story.vertex_edits != VertexEdits{}) {
     same_line_if_room(button_width("Undo the edits"));
-    if (button("reset", "Undo the edits", Emphasis::plain,
-               {.tooltip = "Restores the transforms of the renderers.", .disabled = {}}))
+    if (button("reset", "Undo the edits", Emphasis::plain, {.tooltip = "Restores the transforms of the renderers."}))
       try_out(session, [](VertexEdits& edits) { edits = {}; });
   }
-  same_line_if_room(button_width("Fill"));
-  return button_on_off("fill", "Fill", filled,
-                       {.tooltip = "Shows the transforms in the whole window; Esc goes back.", .disabled = {}});
+  return fill_button(filled, "Shows the transforms in the whole window; Esc goes back.");
 }
 
 }  // namespace

@@ -35,11 +35,8 @@ void cause_row(const CauseShare& cause, double total) {
     return;
   }
   const double share = total > 0 ? cause.share / total : 0;
-  {
-    const FontScope mono(Face::mono);
-    draw_text({at.x + names, at.y}, {at.x + names + digits, at.y + height}, fmt::format("{:.1f} %", 100 * share),
-              palette().text, 1);
-  }
+  draw_text({at.x + names, at.y}, {at.x + names + digits, at.y + height}, fmt::format("{:.1f} %", 100 * share),
+            palette().text, 1, Face::mono);
   auto& list = *ImGui::GetWindowDrawList();
   const float left = at.x + names + digits + px(10), right = at.x + room - px(4);
   const float zero = left + (right - left) * 0.08f, unit = right - zero;

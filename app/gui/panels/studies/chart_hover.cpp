@@ -49,11 +49,9 @@ void prepare(ChartPreview& preview, const std::shared_ptr<const Image<Rgb8>>& pi
 void line(const char* what, const std::string& value) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  ImGui::TextUnformatted(what);
-  ImGui::PopStyleColor();
+  show_text(what, {.quiet = true});
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(value.c_str());
+  show_text(value);
 }
 
 void numbers(const Chart& chart, const ChartPoint& point) {
@@ -81,14 +79,13 @@ void pictures(const ChartPreview& preview) {
   const ImVec2 size{std::round(w * shrink), std::round(h * shrink)};
   ImGui::BeginGroup();
   ImGui::Image(preview.picture.id(), size);
-  ImGui::TextUnformatted("picture");
+  show_text("picture");
   ImGui::EndGroup();
   if (preview.difference.empty()) return;
   ImGui::SameLine();
   ImGui::BeginGroup();
   ImGui::Image(preview.difference.id(), size);
-  ImGui::TextUnformatted(preview.gain > 1 ? fmt::format("difference, {:.0f} times", preview.gain).c_str()
-                                          : "difference");
+  show_text(preview.gain > 1 ? fmt::format("difference, {:.0f} times", preview.gain) : "difference");
   ImGui::EndGroup();
 }
 
@@ -101,15 +98,10 @@ void chart_hover(const ChartTab& tab, const ChartPoint& point, ChartPreview& pre
   ImGui::BeginTooltip();
   ImGui::PushFont(theme().font(Face::body));
   ImGui::PushTextWrapPos(px(2 * picture_side + 12));
-  {
-    const FontScope bold(Face::bold);
-    ImGui::TextUnformatted(point.what.name.c_str());
-  }
+  show_text(point.what.name, {Face::bold});
   numbers(tab.chart, point);
   if (preview.of) pictures(preview);
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  ImGui::TextUnformatted(hint);
-  ImGui::PopStyleColor();
+  show_text(hint, {.quiet = true});
   ImGui::PopTextWrapPos();
   ImGui::PopFont();
   ImGui::EndTooltip();

@@ -21,8 +21,7 @@ constexpr std::size_t most_matches = 6;  // lines under the search box
 
 void heading(const char* text) {
   ImGui::Spacing();
-  const FontScope font(Face::bold);
-  ImGui::TextUnformatted(text);
+  show_text(text, {Face::bold});
 }
 
 std::string value_label(const Option& option, const std::string& value) {
@@ -81,7 +80,7 @@ void swept_options(ChartSetup& setup) {
     SweepAxis& axis = setup.axes[i];
     const NameScope scope(axis.option->key);
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(std::string(axis.option->label).c_str());
+    show_text(axis.option->label);
     tooltip(axis.option->help.what);
     const float width = button_width("Remove");
     ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
@@ -125,13 +124,11 @@ void add_option(ChartSetup& setup, const Session& session) {
 void comparison(ChartSetup& setup, const Session& session) {
   static constexpr std::array values{Choice{"display", "Display levels", "Errors as the screen shows them, 0 to 255."},
                                      Choice{"linear", "Linear values", "Errors of the linear colours before display."}};
-  int index = setup.values == ErrorValues::display ? 0 : 1;
-  if (choice("measured-in", values, index)) setup.values = index == 0 ? ErrorValues::display : ErrorValues::linear;
+  choice_of("measured-in", values, setup.values);
   static constexpr std::array parts{
       Choice{"whole", "Whole picture", "Every pixel counts."},
       Choice{"rectangle", "Dragged rectangle", "Only the rectangle counts that you dragged in a picture with Shift."}};
-  int part = setup.part == ChartPart::whole ? 0 : 1;
-  if (choice("part", parts, part)) setup.part = part == 0 ? ChartPart::whole : ChartPart::rectangle;
+  choice_of("part", parts, setup.part);
   if (setup.part != ChartPart::rectangle) return;
   const auto& region = session.region();
   quiet_text(
@@ -144,8 +141,7 @@ void machinery(ChartSetup& setup) {
   static constexpr std::array rules{
       Choice{"same", "The same code for all", "If one point cannot use the SIMD path, no point uses it."},
       Choice{"as-used", "As used", "Each point runs as in the window: times then compare code, not techniques."}};
-  int index = setup.machinery == MachineryRule::same ? 0 : 1;
-  if (choice("machinery", rules, index)) setup.machinery = index == 0 ? MachineryRule::same : MachineryRule::as_used;
+  choice_of("machinery", rules, setup.machinery);
 }
 
 void reference(ChartSetup& setup, const PanelHost& host) {
@@ -158,7 +154,7 @@ void reference(ChartSetup& setup, const PanelHost& host) {
       Choice{"256", "256", "The mean of 256 samples over each pixel."}};
   if (setup.reference_file.empty()) {
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Samples:");
+    show_text("Samples:");
     const std::string now = std::to_string(setup.reference_samples);
     int index = 0;
     for (std::size_t i = 0; i < samples.size(); ++i)
@@ -193,8 +189,7 @@ void chart_setup_controls(ChartSetup& setup, const ChartPlan& plan, const Sessio
   heading("Other options of");
   static constexpr std::array sides{Choice{"a", "A", "The options of picture A."},
                                     Choice{"b", "B", "The options of picture B."}};
-  int side = static_cast<int>(index_of(setup.side));
-  if (choice("side", sides, side)) setup.side = both_sides[static_cast<std::size_t>(side)];
+  choice_of("side", sides, setup.side);
   heading("Error");
   comparison(setup, session);
   heading("Truth");

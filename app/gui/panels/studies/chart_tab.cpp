@@ -47,17 +47,14 @@ void load_point(Session& session, const ChartPoint& point, Side side) {
   session.set_settings(side, point.what.value, fmt::format("{}: {} (chart)", letter_of(side), point.what.name));
 }
 
-/// Height of the sentence under the chart, wrapped.
+/// Height of the sentence under the chart, in lines.
 float conclusion_height(const std::string& conclusion, const Area& area) {
-  if (conclusion.empty()) return 0;
-  ImFont* font = theme().font(Face::body);
-  return font->CalcTextSizeA(font->FontSize, FLT_MAX, area.width(), conclusion.c_str()).y + px(6);
+  return conclusion.empty() ? 0 : text_height(in_lines(conclusion, area.width())) + px(6);
 }
 
-void draw_conclusion(ImDrawList& list, const std::string& conclusion, const Area& area) {
-  ImFont* font = theme().font(Face::body);
-  list.AddText(font, font->FontSize, {std::round(area.min.x), std::round(area.min.y + px(2))},
-               colour_u32(palette().text), conclusion.c_str(), nullptr, area.width());
+void draw_conclusion(const std::string& conclusion, const Area& area) {
+  draw_lines({std::round(area.min.x), std::round(area.min.y + px(2))}, in_lines(conclusion, area.width()),
+             palette().text);
   controls().record("conclusion", conclusion);
 }
 
@@ -145,10 +142,7 @@ void ChartTab::show_found() {
 void ChartTab::metric_choice(float width) {
   std::vector<Choice> choices;
   for (const ErrorMetricRow& row : error_metrics()) choices.push_back({row.key, row.label, ""});
-  int index = static_cast<int>(metric);
-  if (!choice("metric", choices, index, {.tooltip = "The error metric.", .width = width})) return;
-  metric = static_cast<ErrorMetric>(index);
-  if (found) show_found();
+  if (choice_of("metric", choices, metric, {.tooltip = "The error metric.", .width = width}) && found) show_found();
 }
 
 /// Milliseconds of this machine, or work counted alike on every machine.
@@ -156,10 +150,7 @@ void ChartTab::across_choice(float width) {
   static constexpr std::array choices{
       Choice{"time", "Time", "Milliseconds of one picture on this machine."},
       Choice{"work", "Work", "Rays, intersection tests, fragments and texel reads: the same on every machine."}};
-  int index = static_cast<int>(across);
-  if (!choice("across", choices, index, {.tooltip = "The horizontal axis.", .width = width})) return;
-  across = static_cast<ChartAcross>(index);
-  if (found) show_found();
+  if (choice_of("across", choices, across, {.tooltip = "The horizontal axis.", .width = width}) && found) show_found();
 }
 
 void ChartTab::export_menu(const Session& session) {
@@ -250,7 +241,7 @@ void ChartTab::draw_result(Session& session) {
                          hovered_};
   const ImVec2 nowhere{-1e6f, -1e6f};
   hovered_ = draw_chart(list, chart_area, chart, labels_, marks, over ? ImGui::GetIO().MousePos : nowhere);
-  if (conclusion > 0) draw_conclusion(list, conclusion_, {{area.min.x, chart_area.max.y}, area.max});
+  if (conclusion > 0) draw_conclusion(conclusion_, {{area.min.x, chart_area.max.y}, area.max});
   if (legend > 0) draw_chart_legend(list, {{area.min.x, chart_area.max.y + conclusion}, area.max}, chart);
   load_on_click(session, clicked);
 }

@@ -97,7 +97,7 @@ std::optional<double> film_strip_slider(FilmStripState& state, const StabilityEx
   const std::string shown =
       marked == knobs.end() ? "none" : fmt::format("{} of {}: {}", column + 1, knobs.size(), axis_number(*marked));
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Frame");
+  show_text("Frame");
   ImGui::SameLine(0, px(8));
   const Edit edit =
       number("scrub", place, {.minimum = 1, .maximum = static_cast<double>(knobs.size()), .integer = true},
@@ -115,7 +115,7 @@ std::optional<double> film_strip_view(FilmStripState& state, const StabilityExpe
   make(state, experiment);
   const auto found = state.study.found();
   if (!found || found->key != experiment.key) {
-    ImGui::TextUnformatted(state.study.running() ? "Rendering the film strip." : "");
+    show_text(state.study.running() ? "Rendering the film strip." : "");
     return {};
   }
   if (found != state.shown) {
@@ -134,19 +134,17 @@ std::optional<double> film_strip_view(FilmStripState& state, const StabilityExpe
   for (const int frame : columns) knobs.push_back(experiment.frames[static_cast<std::size_t>(frame)]);
   const auto marked = state.chosen ? std::find(knobs.begin(), knobs.end(), *state.chosen) : knobs.end();
   const int chosen = marked == knobs.end() ? -1 : static_cast<int>(marked - knobs.begin());
-  ImFont* font = theme().font(Face::small);
   auto& list = *ImGui::GetWindowDrawList();
-  const float line = font->FontSize + px(3), lines = above ? px(lines_height) : px(4);
+  const float line = theme().font(Face::small)->FontSize + px(3), lines = above ? px(lines_height) : px(4);
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   FrameLayout layout = layout_of(room.x, frames, frame_width / frame_height);
   layout.corner = {at.x, at.y + lines + line};
   if (above) join_to_axis(list, layout, knobs, *above, at.y, at.y + lines);
   for (int i = 0; i < frames; ++i) {
     const std::string text = axis_number(knobs[static_cast<std::size_t>(i)]);
-    const float half = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x / 2;
+    const FontScope small(Face::small);
     const float middle = layout.of(i, 0).x + layout.frame.x / 2;
-    list.AddText(font, font->FontSize, {std::round(middle - half), at.y + lines}, colour_u32(palette().text),
-                 text.c_str());
+    draw_lines({std::round(middle - text_width(text) / 2), at.y + lines}, text, palette().text);
   }
   ImGui::Dummy({room.x, lines + line});
   ImGui::SetCursorScreenPos(layout.corner);
@@ -174,15 +172,10 @@ std::optional<double> film_strip_view(FilmStripState& state, const StabilityExpe
     }
     controls().record(fmt::format("frame/{}", i), low, high, axis_number(knobs[static_cast<std::size_t>(i)]));
   }
-  {
-    const FontScope small(Face::small);
-    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-    ImGui::TextUnformatted(fmt::format("Columns: {}. Rows: naive, robust, where they differ. A click or a drag shows "
-                                       "the frame in A and B.",
-                                       knob_title(experiment, experiment.series.front()))
-                               .c_str());
-    ImGui::PopStyleColor();
-  }
+  show_text(fmt::format("Columns: {}. Rows: naive, robust, where they differ. A click or a drag shows "
+                        "the frame in A and B.",
+                        knob_title(experiment, experiment.series.front())),
+            {Face::small, true});
   if (!held || under < 0 || under == chosen) return {};
   state.chosen = knobs[static_cast<std::size_t>(under)];
   return state.chosen;

@@ -12,10 +12,7 @@ std::string text_of(const MethodNames& names, Method method) {
   return method == Method::naive ? "naive: " + names.naive : "robust: " + names.robust;
 }
 
-float width_of(const std::string& text) {
-  ImFont* font = theme().font(Face::small);
-  return px(34) + font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
-}
+float width_of(const std::string& text) { return px(34) + text_width(text, Face::small); }
 
 bool in_one_line(const MethodNames& names, float width) {
   return width_of(text_of(names, Method::naive)) + width_of(text_of(names, Method::robust)) <= width;

@@ -47,12 +47,10 @@ void needs_known(const Settings& settings, const SceneTraits& traits, char lette
       used.push_back(used_words(feature, settings));
     }
   }
-  {
-    const FontScope bold(Face::bold);
-    value_paragraph("used", used.empty()
-                                ? fmt::format("In this scene the options of {} use no feature.", letter)
-                                : fmt::format("In this scene the options of {} use {}.", letter, used_list(used)));
-  }
+  value_paragraph("used",
+                  used.empty() ? fmt::format("In this scene the options of {} use no feature.", letter)
+                               : fmt::format("In this scene the options of {} use {}.", letter, used_list(used)),
+                  {Face::bold});
   for (const FeatureShare& share : unused) {
     const std::string text = needs_free_sentence(share);
     quiet_text(text);

@@ -37,18 +37,6 @@ NeedsRequest request_for(const Session& session, Side side) {
 
 std::string steps_text(std::size_t count) { return fmt::format("{} step{}", count, count == 1 ? "" : "s"); }
 
-void wrapped(const char* name, const std::string& text) {
-  ImGui::TextWrapped("%s", text.c_str());
-  controls().record(name, text);
-}
-
-/// The needs of the scene in words: known as soon as every feature was tried.
-void needs_in_words(const std::string& text) {
-  if (text.empty()) return;
-  const FontScope bold(Face::bold);
-  wrapped("needs", text);
-}
-
 }  // namespace
 
 NeedsTab::NeedsTab(const PanelHost& host)
@@ -91,15 +79,15 @@ std::string NeedsTab::expected() const {
 
 void NeedsTab::choices(Session&) {
   side_choice(side_, "Starts from the options of picture A.", "Starts from the options of picture B.");
-  same_line_if_room(ImGui::CalcTextSize("Tolerance").x + px(116), px(12));
+  same_line_if_room(text_width("Tolerance") + px(116), px(12));
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Tolerance");
+  show_text("Tolerance");
   tooltip("Maximum mean FLIP of any tile of about 16 x 16 pixels. 0.05 is hard to see, 0.3 is obvious.");
   ImGui::SameLine(0, px(6));
   number("tolerance", tolerance_, {.minimum = 0, .maximum = 0.5},
          {.tooltip = "Drag it, or turn the wheel over it.", .width = px(110)});
   const std::string words = fmt::format("FLIP: {}", tolerance_words(tolerance_));
-  same_line_if_room(ImGui::CalcTextSize(words.c_str()).x, px(6));
+  same_line_if_room(text_width(words), px(6));
   ImGui::AlignTextToFramePadding();
   value_text("tolerance-words", words);
 }
@@ -122,17 +110,12 @@ void NeedsTab::invitation() const {
 
 void NeedsTab::advice(Session& session) const {
   const NeedsAdvice words = needs_advice(*found, base_);
-  wrapped("verdict", words.verdict);
+  value_paragraph("verdict", words.verdict);
   if (words.changes.empty()) return;
-  wrapped("words", fmt::format("Cheapest settings that stay within the tolerance: {}.", words.words));
-  {
-    const FontScope small(Face::small);
-    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-    wrapped("changes", words.changes);
-    wrapped("saving", words.saving);
-    wrapped("time", words.time);
-    ImGui::PopStyleColor();
-  }
+  value_paragraph("words", fmt::format("Cheapest settings that stay within the tolerance: {}.", words.words));
+  for (const auto& [name, text] :
+       {std::pair{"changes", words.changes}, std::pair{"saving", words.saving}, std::pair{"time", words.time}})
+    value_paragraph(name, text, {Face::small, true});
   const char letter = letter_of(measured_side_);
   const bool other_scene = session.document().scene_name != scene_name_;
   const bool applied = session.settings(measured_side_) == found->advice;
@@ -150,7 +133,8 @@ void NeedsTab::draw_result(Session& session) {
     return invitation();
   }
   const bool done = work.state() == StudyState::done;
-  needs_in_words(needs_sentence(scene_name_, *found));
+  if (const std::string needs = needs_sentence(scene_name_, *found); !needs.empty())  // every feature was tried
+    value_paragraph("needs", needs, {Face::bold});
   if (done) advice(session);
   needs_shares(*found, done, thumbnails_);
   if (!found->trail.empty() && section("trail", "The search", trail_open_, steps_text(found->trail.size())))

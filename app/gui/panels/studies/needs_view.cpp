@@ -27,10 +27,7 @@ void bar_cell(std::string_view name, double share, const std::string& text, std:
   ImGui::Dummy({room, height});
   controls().record(name, text);
   auto& list = *ImGui::GetWindowDrawList();
-  {
-    const FontScope mono(Face::mono);
-    draw_text(at, {at.x + digits, at.y + height}, text, palette().text, 1);
-  }
+  draw_text(at, {at.x + digits, at.y + height}, text, palette().text, 1, Face::mono);
   const ImVec2 from{at.x + digits + px(8), at.y + px(3)}, to{from.x + bar, at.y + height - px(3)};
   list.AddRectFilled(from, to, colour_u32(palette().line, 0.6));
   const auto part = static_cast<float>(std::clamp(share, 0.0, 1.0));
@@ -41,19 +38,16 @@ void bar_cell(std::string_view name, double share, const std::string& text, std:
 }
 
 /// One line over the width of the cell, cut where it is too long.
-void cell_line(std::string_view text, const ImVec4& colour) {
+void cell_line(std::string_view text, const ImVec4& colour, Face face = Face::body) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
-  draw_text(at, {at.x + room, at.y + height}, text, colour, 0);
+  draw_text(at, {at.x + room, at.y + height}, text, colour, 0, face);
   ImGui::Dummy({room, height});
 }
 
 void column_heading(const char* text, const char* help) {
   ImGui::TableNextColumn();
-  {
-    const FontScope bold(Face::bold);
-    cell_line(text, palette().text_quiet);
-  }
+  cell_line(text, palette().text_quiet, Face::bold);
   tooltip(help);
 }
 
@@ -224,14 +218,12 @@ void needs_trail(const Needs& needs) {
     ImGui::TableNextRow();
     if (step.accepted) ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, colour_u32(palette().selection));
     ImGui::TableNextColumn();
-    if (step.accepted) ImGui::TextUnformatted("taken");
+    if (step.accepted) show_text("taken");
     name_cell(setting_words(step.change));
     controls().record(fmt::format("trail/{}", i), step.change);
     tooltip(step.change);
-    ImGui::TableNextColumn();
-    number_text(fmt::format("{:.3f}", step.increase), 0, full_number(step.increase));
-    ImGui::TableNextColumn();
-    number_text(count_text(step.work), 0, full_number(static_cast<double>(step.work)));
+    number_cell(fmt::format("{:.3f}", step.increase), full_number(step.increase));
+    number_cell(count_text(step.work), full_number(static_cast<double>(step.work)));
   }
   ImGui::EndTable();
 }

@@ -67,9 +67,7 @@ void gap_legend(float room, bool wide) {
     const float width = swatch + px(6) + text_width(entry.meaning);
     if (at.x > from.x && (!wide || at.x + width > from.x + room)) at = {from.x, at.y + line};
     const Rgb8 c = depth_gap_colour(entry.gap);
-    const ImVec2 corner{at.x, at.y + px(2)};
-    list.AddRectFilled(corner, {corner.x + swatch, corner.y + swatch}, IM_COL32(c.r, c.g, c.b, 255));
-    list.AddRect(corner, {corner.x + swatch, corner.y + swatch}, colour_u32(palette().line_strong));
+    draw_swatch(list, {at.x, at.y + px(2)}, {swatch, swatch}, IM_COL32(c.r, c.g, c.b, 255));
     draw_lines({at.x + swatch + px(6), at.y}, entry.meaning, palette().text);
     at.x += width + px(12);
   }
@@ -83,18 +81,11 @@ void fault_row(Session& session, const PrecisionFound& found, PrecisionFault fau
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFrameHeight(), swatch = px(14);
   const bool clicked = hit_area("fault/" + fault_key(fault), {px(legend_width), height}, {});
-  auto& list = *ImGui::GetWindowDrawList();
-  const float top = at.y + (height - swatch) / 2;
-  list.AddRectFilled({at.x, top}, {at.x + swatch, top + swatch}, IM_COL32(c.r, c.g, c.b, 255));
-  list.AddRect({at.x, top}, {at.x + swatch, top + swatch}, colour_u32(palette().line_strong));
-  {
-    const FontScope small(Face::small);
-    draw_text({at.x + px(20), at.y}, {at.x + px(130), at.y + height}, label, palette().text, 0);
-  }
-  {
-    const FontScope mono(Face::mono);
-    draw_text({at.x + px(130), at.y}, {at.x + px(legend_width), at.y + height}, count_text(count), palette().text, 1);
-  }
+  draw_swatch(*ImGui::GetWindowDrawList(), {at.x, at.y + (height - swatch) / 2}, {swatch, swatch},
+              IM_COL32(c.r, c.g, c.b, 255));
+  draw_text({at.x + px(20), at.y}, {at.x + px(130), at.y + height}, label, palette().text, 0, Face::small);
+  draw_text({at.x + px(130), at.y}, {at.x + px(legend_width), at.y + height}, count_text(count), palette().text, 1,
+            Face::mono);
   controls().record("fault/" + fault_key(fault), std::to_string(count));
   tooltip(count > 0 ? "Click: picks one of these pixels." : "No pixel.");
   if (!clicked) return;
@@ -106,10 +97,7 @@ void fault_row(Session& session, const PrecisionFound& found, PrecisionFault fau
 }
 
 void map_title(const char* text, const char* help) {
-  {
-    const FontScope small(Face::small);
-    ImGui::TextUnformatted(text);
-  }
+  show_text(text, {Face::small});
   tooltip(help);
 }
 
@@ -196,7 +184,7 @@ void PrecisionTab::draw_result(Session& session) {
     ImGui::EndGroup();
   }
   const std::string text = pixel ? pixel_text(found->map, *pixel) : "";
-  ImGui::TextUnformatted(text.c_str());
+  show_text(text);
 }
 
 namespace {

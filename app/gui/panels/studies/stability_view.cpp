@@ -39,20 +39,13 @@ std::string worst_text(const StabilityExperiment& experiment, const std::vector<
 }
 
 void explanation(const StabilityExperiment& experiment, std::span<const StabilityRow> rows) {
-  {
-    const FontScope bold(Face::bold);
-    ImGui::TextWrapped("%s", std::string(experiment.title).c_str());
-  }
-  ImGui::TextWrapped("%s", std::string(experiment.explanation).c_str());
+  show_paragraph(experiment.title, {Face::bold});
+  show_paragraph(experiment.explanation);
   if (const std::string first = first_figure_text(experiment, rows); !first.empty()) {
-    ImGui::TextWrapped("%s", first.c_str());
-    controls().record("first", first);
+    value_paragraph("first", first);
   }
-  const FontScope small(Face::small);
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  ImGui::TextWrapped("Safe: %s Set-up: %s.", std::string(experiment.safe).c_str(),
-                     std::string(set_up_text(experiment.set_up)).c_str());
-  ImGui::PopStyleColor();
+  show_paragraph(fmt::format("Safe: {} Set-up: {}.", experiment.safe, set_up_text(experiment.set_up)),
+                 {Face::small, true});
   controls().record("explanation", std::string(experiment.explanation));
   controls().record("set-up", std::string(set_up_text(experiment.set_up)));
 }
@@ -60,23 +53,20 @@ void explanation(const StabilityExperiment& experiment, std::span<const Stabilit
 void point_tooltip(const Curves& curves, const ExperimentFigure::Row& row, bool has_picture) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8), px(8)});
   ImGui::BeginTooltip();
-  ImGui::TextUnformatted(fmt::format("{}: {}", curves.knob, short_number(row.knob)).c_str());
+  show_text(fmt::format("{}: {}", curves.knob, short_number(row.knob)));
   for (const auto& [name, value] : {std::pair{"naive", row.naive}, std::pair{"robust", row.robust}})
     if (!std::isnan(value))
-      ImGui::TextUnformatted(fmt::format("{}: {} {}", name, short_number(value), curves.figure.quantity->unit).c_str());
+      show_text(fmt::format("{}: {} {}", name, short_number(value), curves.figure.quantity->unit));
   if (!curves.safe.empty())
-    ImGui::TextUnformatted(curves.safe.holds(row.knob) ? "inside the safe window" : "outside the safe window");
-  if (has_picture) ImGui::TextUnformatted("Click: opens it in A (naive) and B (robust).");
+    show_text(curves.safe.holds(row.knob) ? "inside the safe window" : "outside the safe window");
+  if (has_picture) show_text("Click: opens it in A (naive) and B (robust).");
   ImGui::EndTooltip();
   ImGui::PopStyleVar();
 }
 
 void group_heading(const ExperimentGroup& group) {
   ImGui::Spacing();
-  const FontScope bold(Face::bold);
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  value_text(fmt::format("group/{}", group.option ? group.option->key : "none"), group.title());
-  ImGui::PopStyleColor();
+  value_text(fmt::format("group/{}", group.option ? group.option->key : "none"), group.title(), {Face::bold, true});
 }
 
 /// Pictures belong to the knob of the first figure.
@@ -105,21 +95,13 @@ void StabilityTab::list_row(const StabilityExperiment& experiment) {
   const float small_line = theme().font(Face::small)->FontSize;
   const float width = ImGui::GetContentRegionAvail().x, title = ImGui::GetTextLineHeight() + px(5);
   const float height = title + small_line + px(5);
-  const bool clicked = hit_area(experiment.key, {width, height}, {});
+  const bool clicked = gui::list_row(experiment.key, {width, height}, &selected() == &experiment);
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
-  auto& list = *ImGui::GetWindowDrawList();
-  const bool shown = &selected() == &experiment;
-  if (shown || ImGui::IsItemHovered())
-    list.AddRectFilled(min, max, colour_u32(shown ? palette().selection : palette().field_hover), px(3));
-  if (shown) list.AddRectFilled(min, {min.x + px(3), max.y}, colour_u32(palette().text));
   const std::string note = note_of(experiment);
   draw_text({min.x + px(8), min.y}, {max.x - px(4), min.y + title}, whole_words(experiment.title, width - px(12)),
             palette().text, 0);
-  {
-    const FontScope small(Face::small);
-    draw_text({min.x + px(8), min.y + title}, {max.x - px(4), max.y - px(4)}, whole_words(note, width - px(12)),
-              palette().text_quiet, 0);
-  }
+  draw_text({min.x + px(8), min.y + title}, {max.x - px(4), max.y - px(4)}, whole_words(note, width - px(12)),
+            palette().text_quiet, 0, Face::small);
   if (text_width(experiment.title) > width - px(12)) tooltip(experiment.title);
   controls().record(experiment.key, note);
   if (clicked) select(experiment);
@@ -157,7 +139,7 @@ void StabilityTab::figure_choice(const Figures& figures) {
   float widest = 0;
   for (const ExperimentFigure& figure : figures) {
     choices.push_back({figure.name, figure.name, figure.quantity->title});
-    widest = std::max(widest, ImGui::CalcTextSize(figure.name.c_str()).x);
+    widest = std::max(widest, text_width(figure.name));
   }
   const float room = ImGui::GetFrameHeight() + px(16);  // for the arrow and the frame
   if (choice("series", choices, index, {.width = std::min(widest + room, ImGui::GetContentRegionAvail().x)}))
@@ -287,8 +269,7 @@ void StabilityTab::list() {
     }
   }
   if (!any) {
-    quiet_text("No experiment matches.");
-    controls().record("nothing-found", "No experiment matches.");
+    value_paragraph("nothing-found", "No experiment matches.", {.quiet = true});
   }
   ImGui::EndChild();
   ImGui::EndChild();

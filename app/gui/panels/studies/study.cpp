@@ -19,7 +19,7 @@ constexpr double between_controls = 8, enough_height = 320, least_result = 110; 
 /// As many whole sentences from the beginning as fit into one line.
 std::string sentences_that_fit(const std::string& text, float width) {
   std::string fitting = text;
-  while (text_width(fitting) > width) {
+  while (text_width(fitting, Face::small) > width) {
     const auto end = fitting.rfind(". ");
     if (end == std::string::npos) break;
     fitting.resize(end + 1);
@@ -82,8 +82,7 @@ std::string status_text(const StudyStatus& status, std::string_view unit) {
 
 void side_choice(Side& side, std::string_view help_a, std::string_view help_b) {
   const std::array sides{Choice{"a", "A", help_a}, Choice{"b", "B", help_b}};
-  int index = static_cast<int>(index_of(side));
-  if (choice("side", sides, index, {.width = px(80)})) side = both_sides[static_cast<std::size_t>(index)];
+  choice_of("side", sides, side, {.width = px(80)});
 }
 
 bool StudyFrame::busy() const { return measuring() || (estimate_ && estimate_->running()); }
@@ -141,8 +140,7 @@ bool StudyFrame::toolbar(Session& session, bool filled) {
     same_line_if_room(work_.running() ? pause_and_stop_width(words_) : button_width(label), px(between_controls));
   run_buttons(session, word, label);
   more_controls(session);
-  same_line_if_room(button_width("Fill"), px(between_controls));
-  return button_on_off("fill", "Fill", filled, {.tooltip = "Shows this panel in the whole window (Esc)."});
+  return fill_button(filled, "Shows this panel in the whole window (Esc).");
 }
 
 std::string StudyFrame::state_line(const Session& session) const {
@@ -169,12 +167,9 @@ std::string StudyFrame::state_line(const Session& session) const {
 void StudyFrame::status_line(const Session& session) const {
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const std::string text = state_line(session);
-  {
-    const FontScope small(Face::small);
-    const std::string shown = room.y >= px(enough_height) && !work_.running() ? text : sentences_that_fit(text, room.x);
-    quiet_text(shown);
-    if (shown != text) tooltip(text);
-  }
+  const std::string shown = room.y >= px(enough_height) && !work_.running() ? text : sentences_that_fit(text, room.x);
+  show_paragraph(shown, {Face::small, true});
+  if (shown != text) tooltip(text);
   controls().record("status", text);
   if (!work_.running()) return;
   auto& list = *ImGui::GetWindowDrawList();

@@ -29,35 +29,21 @@ constexpr double label_width = 260, timing_width = 74;
 constexpr double table_width = label_width + 3 * timing_width + 40;
 
 /// In a narrow window the labels give way, not the numbers.
-ImVec2 table_size() { return {std::min(px(table_width), ImGui::GetContentRegionAvail().x), 0}; }
+float width_of_table() { return std::min(px(table_width), ImGui::GetContentRegionAvail().x); }
 
-void timing_columns() {
-  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
-  for (const char* name : {"A", "B", "B / A"})
-    ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed, px(timing_width));
-}
-
-enum class Ratio { none, shown };
-
-void heading(const char* what, Ratio ratio) {
-  ImGui::TableNextRow();
-  int column = 0;
-  for (const char* text : {what, "A", "B", ratio == Ratio::shown ? "B / A" : ""}) {
-    ImGui::TableNextColumn();
-    const FontScope font(Face::bold);
-    ImGui::PushStyleColor(ImGuiCol_Text, column == 1 || column == 2 ? palette().text : palette().text_quiet);
-    if (column > 0)
-      ImGui::SetCursorPosX(ImGui::GetCursorPosX() +
-                           std::max(0.f, ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text).x));
-    ImGui::TextUnformatted(text);
-    ImGui::PopStyleColor();
-    if (column == 1 || column == 2) {
-      const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-      side_bar(*ImGui::GetWindowDrawList(), {low.x - px(8), low.y + px(2)}, {low.x - px(4), high.y - px(2)},
-               column == 1 ? Side::a : Side::b);
-    }
-    ++column;
+/// A table for a number of A, one of B, and their ratio, with its headings.
+bool begin_pairs(const char* id, const char* what, const char* ratio) {
+  if (!begin_numbers(id, 3, {.numbers = px(timing_width), .all = width_of_table()})) return false;
+  const TextScope quiet({Face::bold, true});
+  numbers_row(what);
+  for (const Side side : both_sides) {
+    const std::string letter(1, letter_of(side));
+    number_cell(letter, letter);
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    side_bar(*ImGui::GetWindowDrawList(), {low.x - px(8), low.y + px(2)}, {low.x - px(4), high.y - px(2)}, side);
   }
+  number_cell(ratio, ratio);
+  return true;
 }
 
 using Pair = std::array<std::optional<double>, 2>;
@@ -65,18 +51,8 @@ using NumberText = std::function<std::string(double)>;
 
 /// A label and two numbers; a missing number stays blank. The last column is left to the caller.
 void row(std::string_view label, const Pair& values, const NumberText& text) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float room = ImGui::GetContentRegionAvail().x;
-  const std::string lines = in_lines(label, room);
-  draw_lines(at, lines, palette().text);
-  ImGui::Dummy({room, text_height(lines)});
-  for (const auto& value : values) {
-    ImGui::TableNextColumn();
-    if (value) number_text(text(*value), 0, full_number(*value));
-  }
-  ImGui::TableNextColumn();
+  numbers_row(label);
+  for (const auto& value : values) number_cell(value ? text(*value) : "", value ? full_number(*value) : "");
 }
 
 std::optional<double> ratio_of(const Pair& values) {
@@ -93,31 +69,26 @@ std::optional<double> stage_time(const std::shared_ptr<const RenderResult>& resu
 
 /// Times of the runs that made the pictures. They are not to be compared with one another, so there is no ratio.
 void single_times(const Results& results) {
-  if (!ImGui::BeginTable("times", 4, ImGuiTableFlags_SizingFixedFit, table_size())) return;
-  timing_columns();
-  heading("Time of one run, ms", Ratio::none);
+  if (!begin_pairs("times", "Time of one run, ms", "")) return;
   std::vector<std::string> stages;
   for (const auto& result : results)
     if (result)
       for (const auto& time : result->frame.times)
         if (std::find(stages.begin(), stages.end(), time.stage) == stages.end()) stages.push_back(time.stage);
   const auto roughly = [](double value) { return value <= 0 ? "0" : fmt::format("~{}", two_digits(value)); };
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  const TextScope quiet({.quiet = true});
   Pair all;
   for (std::size_t i = 0; i < 2; ++i)
     if (results[i]) all[i] = results[i]->milliseconds;
   row("whole render", all, roughly);
   for (const auto& stage : stages) row(stage, {stage_time(results[0], stage), stage_time(results[1], stage)}, roughly);
-  ImGui::PopStyleColor();
   ImGui::EndTable();
 }
 
 void median_times(const PairTiming& timing) {
-  if (!ImGui::BeginTable("times", 4, ImGuiTableFlags_SizingFixedFit, table_size())) return;
-  timing_columns();
-  heading("Median time, ms", Ratio::shown);
+  if (!begin_pairs("times", "Median time, ms", "B / A")) return;
   row("whole render", {timing.time_ms[0].median, timing.time_ms[1].median}, three_digits);
-  number_text(two_digits(timing.ratio.median), 0, full_number(timing.ratio.median));
+  number_cell(two_digits(timing.ratio.median), full_number(timing.ratio.median));
   row("lower quartile", {timing.time_ms[0].q1, timing.time_ms[1].q1}, three_digits);
   row("upper quartile", {timing.time_ms[0].q3, timing.time_ms[1].q3}, three_digits);
   for (const PairStage& stage : timing.stages) row(stage.stage, stage.median_ms, three_digits);
@@ -125,9 +96,7 @@ void median_times(const PairTiming& timing) {
 }
 
 void sentence(const std::string& name, const std::string& text) {
-  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + table_size().x);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
+  show_text(in_lines(text, width_of_table()));
   controls().record(name, text);
 }
 
@@ -146,25 +115,19 @@ Results results_of(Session& session) {
 
 /// The code path of each picture, and why it was not a faster one.
 void machinery(const Results& results) {
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  const TextScope quiet({.quiet = true});
   for (const Side side : both_sides) {
     const auto& result = results[index_of(side)];
     if (!result) continue;
     const FastPath& path = result->frame.path;
     std::string text = fmt::format("{}: {}", letter_of(side), machinery_label(path.machinery));
     if (!path.reason.empty()) text += fmt::format(" ({})", path.reason);
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + table_size().x);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    controls().record(fmt::format("machinery/{}", letter_of(side)), text);
+    sentence(fmt::format("machinery/{}", letter_of(side)), text);
   }
-  ImGui::PopStyleColor();
 }
 
 void counters(const Results& results) {
-  if (!ImGui::BeginTable("counters", 4, ImGuiTableFlags_SizingFixedFit, table_size())) return;
-  timing_columns();
-  heading("Work", Ratio::shown);
+  if (!begin_pairs("counters", "Work", "B / A")) return;
   for (std::size_t i = 0; i < counter_count; ++i) {
     const auto counter = static_cast<Counter>(i);
     Pair values;
@@ -178,14 +141,14 @@ void counters(const Results& results) {
     }
     if (!any) continue;
     row(counter_label(counter), values, [](double value) { return count_text(static_cast<std::uint64_t>(value)); });
-    if (const auto ratio = ratio_of(values)) number_text(*ratio);
+    if (const auto ratio = ratio_of(values)) number_cell(short_number(*ratio), full_number(*ratio));
   }
   Pair efficiency;
   for (std::size_t side = 0; side < 2; ++side)
     if (results[side]) efficiency[side] = raster::sample_test_efficiency(results[side]->frame.counters);
   if (efficiency[0] || efficiency[1]) {
     row("fragments per coverage test", efficiency, [](double value) { return short_number(value); });
-    if (const auto ratio = ratio_of(efficiency)) number_text(*ratio);
+    if (const auto ratio = ratio_of(efficiency)) number_cell(short_number(*ratio), full_number(*ratio));
   }
   ImGui::EndTable();
 }

@@ -64,8 +64,7 @@ std::string short_text(const UnsafeSetting& unsafe, float room) {
       fmt::format("{} wrong: {}", two_digits_percent(unsafe.bad_percent), option ? option->label : unsafe.option);
   std::string longer = fmt::format("{} = {}", text, unsafe.value);
   if (text_width(longer) <= room) return longer;
-  const FontScope small(Face::small);
-  return text_width(text) <= room ? text : two_digits_percent(unsafe.bad_percent) + " wrong";
+  return text_width(text, Face::small) <= room ? text : two_digits_percent(unsafe.bad_percent) + " wrong";
 }
 
 void make_safe(Session& session, Side side, const UnsafeSetting& unsafe) {
@@ -89,16 +88,14 @@ std::optional<std::string> details(Session& session, const UnsafeSide& state, Si
   std::optional<std::string> wanted;
   for (const UnsafeSetting& unsafe : state.known) {
     const NameScope scope(unsafe.option);
-    ImGui::TextUnformatted(line_text(unsafe).c_str());
+    show_text(line_text(unsafe));
     if (button("why", "Why?", Emphasis::plain, {.tooltip = "Opens the experiment that shows where this fails."}))
       wanted = std::string(unsafe.experiment);
     if (unsafe.safe.empty()) continue;
     ImGui::SameLine(0, px(4));
     if (button("safe", fmt::format("Set {}", unsafe.safe), Emphasis::primary)) make_safe(session, side, unsafe);
   }
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  ImGui::TextUnformatted("Measured on a small picture against a rendering in double.");
-  ImGui::PopStyleColor();
+  show_text("Measured on a small picture against a rendering in double.", {.quiet = true});
   if (wanted) ImGui::CloseCurrentPopup();
   return wanted;
 }
@@ -135,7 +132,8 @@ bool UnsafeLines::draw(const Context&) {
     const float around = px(26), room = area->width() - around;
     std::string text = line_text(*unsafe);
     if (text_width(text) > room) text = short_text(*unsafe, room);
-    if (small_width(text) > room) text.resize(std::min(text.find(':'), text.size()));  // the tooltip names the option
+    if (text_width(text, Face::small) > room)
+      text.resize(std::min(text.find(':'), text.size()));  // the tooltip names the option
     const float width = std::min(area->width(), text_width(text) + around), height = area->height();
     // A window of its own: the rows around the pictures belong to another part of the program.
     ImGui::SetNextWindowPos(area->min);
@@ -150,10 +148,8 @@ bool UnsafeLines::draw(const Context&) {
     auto& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(min, max, colour_u32(ImGui::IsItemHovered() ? palette().field_hover : palette().panel, 0.94));
     attention_bar(list, min, {min.x + px(5), max.y});
-    {
-      const FontScope font(text_width(text) > room ? Face::small : Face::body);
-      draw_text({min.x + px(12), min.y}, {max.x - px(6), max.y}, text, palette().text, 0);
-    }
+    draw_text({min.x + px(12), min.y}, {max.x - px(6), max.y}, text, palette().text, 0,
+              text_width(text) > room ? Face::small : Face::body);
     controls().record("line", text);
     tooltip(line_text(*unsafe) + "\nClick for details.");
     if (ImGui::BeginPopup("details")) {
