@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <functional>
+#include <string>
 
 #include "gui/theme/theme.h"
 #include "gui/widgets/widgets.h"
@@ -83,6 +84,14 @@ TEST_F(Fit, WhatCanBeScrolledToIsInOrder) {
     ImGui::EndChild();
   });
   EXPECT_EQ(fit_watch().cut(), "row-1; row-2");
+}
+
+TEST_F(Fit, APathWithoutBlanksIsBrokenBehindItsSigns) {
+  const std::string path = "/home/someone/pictures/of-scenes/with_long_names/reflections/final_version.png";
+  draw([&] { value_text("path", path); });
+  EXPECT_EQ(fit_watch().cut(), "path");  // it has no room in one line
+  draw([&] { value_paragraph("path", path); });
+  EXPECT_EQ(fit_watch().cut(), "");
 }
 
 TEST_F(Fit, OverlappingControlsAreNamed) {

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -86,17 +86,14 @@ void FileDialog::draw() {
   std::optional<std::filesystem::path> chosen;
   quiet_text(folder_.string());
   list_folder(chosen);
-  std::array<char, 4096> buffer{};
-  typed_.copy(buffer.data(), buffer.size() - 1);
   ImGui::SetNextItemWidth(-1);
   if (opens) ImGui::SetKeyboardFocusHere();
   // A line of its own each time: Dear ImGui selects all of a suggestion, so that typing replaces it, only in a new one.
   ImGui::PushID(asked_);
   forget_edits_before("##path");
-  const bool entered = ImGui::InputTextWithHint("##path", question_.hint.c_str(), buffer.data(), buffer.size(),
-                                                ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered =
+      ImGui::InputTextWithHint("##path", question_.hint.c_str(), &typed_, ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::PopID();
-  typed_ = buffer.data();
   controls().record("file/path", typed_);
   const std::string nothing = typed_.empty() ? "Choose a file or type its path." : "";
   if (button("file/ok", question_.use == FileUse::open ? "Open" : "Save", Emphasis::primary, {.disabled = nothing}) ||

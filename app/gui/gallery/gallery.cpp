@@ -144,13 +144,10 @@ class Gallery : public Content {
 
   void draw_table() {
     const NameScope names("table");
-    if (!ImGui::BeginTable("##table", 3, ImGuiTableFlags_BordersInnerH)) return;
+    if (!begin_numbers("##table", 2, {.numbers = px(90)})) return;
     for (int i = 0; i < 4; ++i) {
-      if (table_row("row" + std::to_string(i), "triangle " + std::to_string(i), i == row_)) row_ = i;
-      ImGui::TableNextColumn();
-      number_text(1.0 / (i + 3));
-      ImGui::TableNextColumn();
-      number_text(12345.678 * i);
+      numbers_row("triangle " + std::to_string(i));
+      for (const double value : {1.0 / (i + 3), 12345.678 * i}) number_cell(short_number(value), full_number(value));
     }
     ImGui::EndTable();
   }
@@ -177,7 +174,7 @@ class Gallery : public Content {
   std::unique_ptr<Session> reader_;  ///< what links in a text would act on
   SceneTraits traits_;
   std::array<Settings, 2> settings_;
-  int count_ = 0, few_ = 0, many_ = 0, tab_ = 0, row_ = 1;
+  int count_ = 0, few_ = 0, many_ = 0, tab_ = 0;
   bool on_ = true, held_ = false, section_open_ = true;
   double linear_ = 2.5, log_ = 0.001, whole_ = 3;
   float left_ = 430;

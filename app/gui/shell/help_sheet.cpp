@@ -104,30 +104,26 @@ void HelpSheet::draw(const Actions& actions) {
   ImGui::Dummy({0, px(4)});
   ImGui::BeginChild("##sheet");
   const int columns = std::max(1, static_cast<int>(ImGui::GetContentRegionAvail().x / px(330)));
-  const float gap = px(36);
-  const float width =
-      (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
   // Groups fill the columns from the top, each column about as long as the others.
   std::size_t lines = 0;
   const auto groups = groups_of(actions);
   const std::size_t total = actions.all().size() + actions.gestures().size() + 2 * groups.size();
   const auto per_column = (total + static_cast<std::size_t>(columns) - 1) / static_cast<std::size_t>(columns);
-  int column = 0;
-  const ImVec2 start = ImGui::GetCursorPos();
-  ImGui::BeginGroup();
-  for (const std::string& group : groups) {
-    const std::size_t members = members_of(actions, group);
-    if (lines > 0 && lines + (members + 2) / 2 > per_column && column + 1 < columns) {
-      ImGui::EndGroup();
-      ++column;
-      lines = 0;
-      ImGui::SetCursorPos({start.x + static_cast<float>(column) * (width + gap), start.y});
-      ImGui::BeginGroup();
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {px(18), 0});
+  if (ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchSame)) {
+    ImGui::TableNextColumn();
+    for (const std::string& group : groups) {
+      const std::size_t members = members_of(actions, group);
+      if (lines > 0 && lines + (members + 2) / 2 > per_column && ImGui::TableGetColumnIndex() + 1 < columns) {
+        ImGui::TableNextColumn();
+        lines = 0;
+      }
+      draw_group(actions, group, ImGui::GetContentRegionAvail().x);
+      lines += members + 2;
     }
-    draw_group(actions, group, width);
-    lines += members + 2;
+    ImGui::EndTable();
   }
-  ImGui::EndGroup();
+  ImGui::PopStyleVar();
   ImGui::EndChild();
   if (sheet.left()) open_ = false;
 }

@@ -69,26 +69,24 @@ bool drop_down(std::string_view name, std::span<const Choice> choices, int& inde
   const Palette& p = palette();
   const ImGuiID list = ImGui::GetID(full_name(part_name(name, "##list")).c_str());
   const float height = std::max(look.height, ImGui::GetFrameHeight());
-  const bool wanted = hit_area(name, {width, height}, style);
-  if (wanted && !ImGui::IsPopupOpen(list, ImGuiPopupFlags_None)) ImGui::OpenPopup(list);  // Enter closes an open one
-  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddRectFilled(min, max, colour_u32(state_colour(p.field, style)), ImGui::GetStyle().FrameRounding);
-  outline(min, max, p.line);
   const float arrow = px(16);
   const auto chosen = static_cast<std::size_t>(std::clamp<int>(index, 0, static_cast<int>(choices.size()) - 1));
+  const ButtonLook field{.fill = style.quiet ? p.panel : p.field,
+                         .edge = p.line,
+                         .text = choice_colour(style, chosen),
+                         .height = height,
+                         .align = 0};
+  bool wanted = false;
   {
     const FontScope font(look.face);
-    const std::string_view text = style.shown.empty() ? choices[chosen].label : style.shown;
-    if (text.find('\n') == std::string_view::npos)
-      draw_text({min.x + px(8), min.y}, {max.x - arrow, max.y}, whole_words(text, max.x - arrow - min.x - px(8)),
-                choice_colour(style, chosen), 0);
-    else
-      draw_lines({min.x + px(8), std::floor((min.y + max.y - text_height(text)) / 2)}, text,
-                 choice_colour(style, chosen));
+    std::string text(style.shown.empty() ? choices[chosen].label : style.shown);
+    if (text.find('\n') == std::string::npos) text = whole_words(text, width - arrow - px(8));
+    wanted = word_button(name, text, width, field, style);
   }
+  if (wanted && !ImGui::IsPopupOpen(list, ImGuiPopupFlags_None)) ImGui::OpenPopup(list);  // Enter closes an open one
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
   const float scale = 0.6f, size = ImGui::GetFontSize();
-  ImGui::RenderArrow(&draw, {max.x - (arrow + size) / 2, (min.y + max.y - size * scale) / 2},
+  ImGui::RenderArrow(ImGui::GetWindowDrawList(), {max.x - (arrow + size) / 2, (min.y + max.y - size * scale) / 2},
                      colour_u32(style.disabled.empty() ? p.text_quiet : p.text_disabled), ImGuiDir_Down, scale);
   controls().record(name, std::string(choices[chosen].key), style.disabled.empty());
   ControlStyle own = style;

@@ -63,16 +63,17 @@ bool word_button(std::string_view name, std::string_view label, float width, con
                  const ControlStyle& style) {
   const float inset = std::min(ImGui::GetStyle().FramePadding.x, width / 8);
   const float above =
-      look.height > 0 ? std::max(0.0f, look.height - ImGui::GetFontSize()) / 2 : ImGui::GetStyle().FramePadding.y;
+      look.height > 0 ? std::max(0.0f, look.height - text_height(label)) / 2 : ImGui::GetStyle().FramePadding.y;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {inset, above});
   ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, look.edge.w > 0 ? line_thickness() : 0);
   ImGui::PushStyleColor(ImGuiCol_Button, style.disabled.empty() || look.fill.w == 0 ? look.fill : palette().panel);
   ImGui::PushStyleColor(ImGuiCol_Border, look.edge);
   ImGui::PushStyleColor(ImGuiCol_Text, style.disabled.empty() ? look.text : palette().text_disabled);
   const std::string words(label);
+  ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, {look.align, 0.5f});
   const bool clicked = item(name, style, [&] { return ImGui::Button(words.c_str(), {width, look.height}); });
   ImGui::PopStyleColor(3);
-  ImGui::PopStyleVar(2);
+  ImGui::PopStyleVar(3);
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
   if (look.on)
     ImGui::GetWindowDrawList()->AddRectFilled({min.x + inset, max.y - px(3)}, {max.x - inset, max.y - px(1)},

@@ -46,10 +46,11 @@ bool item(std::string_view name, const ControlStyle& style, const std::function<
 struct ButtonLook {
   ImVec4 fill{0, 0, 0, 0}, edge{0, 0, 0, 0};
   ImVec4 text = palette().text;
-  float height = 0;  ///< 0 = that of a line with controls
-  bool on = false;   ///< a bar below its words: never by colour alone
+  float height = 0;    ///< 0 = that of a line with controls
+  bool on = false;     ///< a bar below its words: never by colour alone
+  float align = 0.5f;  ///< 0 left, 0.5 middle
 };
-/// Dear ImGui's button with words in its middle. The caller records it.
+/// Dear ImGui's button with words in it. The caller records it.
 bool word_button(std::string_view name, std::string_view label, float width, const ButtonLook& look,
                  const ControlStyle& style);
 /// An invisible item() of this size.

@@ -50,34 +50,16 @@ std::vector<std::string_view> words_of(const Option& option, const std::array<Se
   return {chosen(option, settings[0]).label, chosen(option, settings[1]).label};
 }
 
-/// One picture's value.
+/// One picture's value; the words of a choice in lines.
 Edit cell(const Option& option, Settings& settings, const ControlStyle& style, const CellForm& form) {
-  const OptionNumber before = option.get(settings);
-  if (option.kind == OptionKind::boolean) {
-    bool on = before != 0;
-    const std::string_view words = style.shown.empty() ? on ? "on" : "off" : style.shown;
-    if (!toggle(option.key, words, on, style)) return {};
-    option.set(settings, on ? 1 : 0);
-    return {true, true};
-  }
-  if (option.kind != OptionKind::choice) {  // the unit is beside the label
-    double value = before;
-    const NumberRange range{option.minimum, option.maximum, option.scale, option.kind == OptionKind::integer, {}};
-    const Edit edit = number(option.key, value, range, style);
-    if (edit.changed) option.set(settings, value);
-    return edit;
-  }
-  int index = static_cast<int>(before);
   ControlStyle own = style;
   std::string lines;
-  if (style.shown.empty()) {
+  if (option.kind == OptionKind::choice && style.shown.empty()) {
     const FontScope font(form.face);
-    lines = in_lines(option.choices[static_cast<std::size_t>(index)].label, drop_down_text_width(style.width));
+    lines = in_lines(chosen(option, settings).label, drop_down_text_width(style.width));
     own.shown = lines;
   }
-  if (!drop_down(option.key, option.choices, index, style.width, own, {form.height, form.face})) return {};
-  option.set(settings, index);
-  return {true, true};
+  return option_control(option, settings, own, ControlPlace::in_cell, {form.height, form.face});
 }
 
 }  // namespace
@@ -97,7 +79,7 @@ std::array<OptionRowResult, 2> option_pair(const Option& option, std::array<Sett
   std::array<OptionRowResult, 2> results;
   ImGui::PushID(full_name(option.key).c_str());
   const ImVec2 start = ImGui::GetCursorScreenPos();
-  const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight(), reset = px(20);
+  const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight(), reset = px(26);
   const OptionColumns columns = option_columns(room);
   const CellForm form = form_of(words_of(option, settings), columns.width, room);
   const bool differ = option.get(settings[0]) != option.get(settings[1]);

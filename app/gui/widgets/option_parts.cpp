@@ -57,35 +57,34 @@ OptionRequest option_menu(const char* popup, const Option& option, Settings& set
   return request;
 }
 
-Edit option_control(const Option& option, Settings& settings, const ControlStyle& style, ChoiceForm form) {
+Edit option_control(const Option& option, Settings& settings, const ControlStyle& style, ControlPlace place,
+                    const FieldLook& field) {
+  const bool in_cell = place == ControlPlace::in_cell;
+  double value = option.get(settings);
   Edit edit;
-  const double before = option.get(settings);
   switch (option.kind) {
   case OptionKind::boolean: {
-    bool on = before != 0;
-    if (toggle(option.key, {}, on, style)) edit = {true, true};
-    if (edit.changed) option.set(settings, on ? 1 : 0);
+    bool on = value != 0;
+    const std::string_view words = !in_cell ? "" : !style.shown.empty() ? style.shown : on ? "on" : "off";
+    if (toggle(option.key, words, on, style)) edit = {true, true};
+    value = on ? 1 : 0;
     break;
   }
   case OptionKind::choice: {
-    int index = static_cast<int>(before);
-    const bool changed = form == ChoiceForm::drop_down
-                             ? drop_down(option.key, option.choices, index, style.width, style)
-                             : choice(option.key, option.choices, index, style);
-    if (changed) edit = {true, true};
-    if (edit.changed) option.set(settings, index);
+    int index = static_cast<int>(value);
+    if (drop_down(option.key, option.choices, index, style.width, style, field)) edit = {true, true};
+    value = index;
     break;
   }
   case OptionKind::integer:
   case OptionKind::real: {
-    double value = before;
     const NumberRange range{option.minimum, option.maximum, option.scale, option.kind == OptionKind::integer,
-                            option.unit};
+                            in_cell ? "" : option.unit};
     edit = number(option.key, value, range, style);
-    if (edit.changed) option.set(settings, value);
     break;
   }
   }
+  if (edit.changed) option.set(settings, value);
   return edit;
 }
 

@@ -13,14 +13,11 @@ void option_tooltip(const Option& option, const Settings& settings, const Option
 /// The menu of a right click, if `popup` is open. Its entries are named below KEY/menu.
 OptionRequest option_menu(const char* popup, const Option& option, Settings& settings, const OptionRowContext& context,
                           Edit& edit);
-/// How the values of a choice are offered.
-enum class ChoiceForm {
-  by_room,   ///< side by side where they fit, else as a list that drops down
-  drop_down  ///< always as a list, so that the control is as high as a line of text
-};
-/// The control for an option's kind, named by its key.
-Edit option_control(const Option& option, Settings& settings, const ControlStyle& style,
-                    ChoiceForm form = ChoiceForm::by_room);
+/// The control for an option's kind, named by its key; choices are a list that drops down. In a cell of the table, what
+/// is on or off says so, and units are left to the label.
+enum class ControlPlace { in_text, in_cell };
+Edit option_control(const Option& option, Settings& settings, const ControlStyle& style, ControlPlace place,
+                    const FieldLook& field = {});
 /// Around a row that something points at.
 void attention_ring(ImVec2 min, ImVec2 max);
 /// A round arrow, for a row that is not at its default. Answers whether it was clicked.

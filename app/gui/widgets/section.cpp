@@ -11,9 +11,11 @@ bool section(std::string_view name, std::string_view label, bool& open, std::str
   const ImVec2 start = ImGui::GetCursorScreenPos();
   const float end = start.x + ImGui::GetContentRegionAvail().x;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(2), ImGui::GetStyle().FramePadding.y});
-  const float left = start.x + ImGui::GetFontSize() + 2 * ImGui::GetStyle().FramePadding.x;
-  const bool is_small = ImGui::GetFont() == theme().font(Face::small) || text_width(label, Face::bold) > end - left;
+  const auto label_left = [&] { return start.x + ImGui::GetFontSize() + 2 * ImGui::GetStyle().FramePadding.x; };
+  const bool is_small =
+      ImGui::GetFont() == theme().font(Face::small) || text_width(label, Face::bold) > end - label_left();
   const FontScope bold(is_small ? Face::small_bold : Face::bold);
+  const float left = label_left();
   const std::string shown = whole_words(label, end - left);
   ImGui::SetNextItemOpen(open);
   constexpr ImGuiTreeNodeFlags flags =
@@ -86,21 +88,6 @@ void numbers_row(std::string_view text) {
 void number_cell(std::string_view digits, std::string_view full) {
   ImGui::TableNextColumn();
   number_text(digits, 0, full);
-}
-
-bool table_row(std::string_view name, std::string_view text, bool selected) {
-  const std::string id = "##" + full_name(name);
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  const ImVec2 place = ImGui::GetCursorPos();
-  bool clicked = ImGui::Selectable(id.c_str(), selected,
-                                   ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap);
-  if (key_focus().item(full_name(name), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), true))
-    clicked = clicked || key_focus().pressed();
-  controls().record(name, std::string(text));
-  ImGui::SetCursorPos(place);
-  show_text(text);
-  return clicked;
 }
 
 }  // namespace ps::gui

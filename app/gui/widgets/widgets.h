@@ -139,9 +139,6 @@ struct TreeRow {
 enum class TreeKind { branch, leaf };
 TreeRow tree_row(std::string_view name, std::string_view text, TreeKind kind, bool selected, bool default_open = true,
                  float icon_room = 0);
-/// Begins a table row that can be selected as a whole; call inside ImGui::BeginTable, then ImGui::TableNextColumn for
-/// the cells. The first cell holds `text`.
-bool table_row(std::string_view name, std::string_view text, bool selected);
 /// Begins a table whose rows have a text and then numbers, which end at the right ends of their columns; if it answers
 /// so, fill it and call ImGui::EndTable().
 struct NumberColumns {

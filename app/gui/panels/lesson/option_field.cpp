@@ -50,7 +50,7 @@ void option_field(Session& session, Side side, const Option& option, float width
   OptionRowResult result;
   result.edit = option_control(
       option, settings, {.tooltip = help, .disabled = reason, .width = width - letter_width() - px(4), .idle = {}},
-      ChoiceForm::drop_down);
+      ControlPlace::in_text);
   take_row_result(session, side, option, settings, result);
 }
 

@@ -84,7 +84,10 @@ void side_badge(ImDrawList& list, ImVec2 corner, float size, Side side) {
   const ImVec2 end{corner.x + size, corner.y + size};
   list.AddRectFilled(corner, end, colour_u32(palette().field), px(3));
   side_bar(list, {corner.x, end.y - px(4)}, end, side);
-  draw_text(corner, {end.x, end.y - px(4)}, std::string(1, letter_of(side)), palette().text, 0.5f, Face::bold);
+  const FontScope bold(Face::bold);
+  const std::string letter(1, letter_of(side));
+  const ImVec2 room{size - text_width(letter), size - px(4) - ImGui::GetFontSize()};
+  draw_lines({corner.x + room.x / 2, corner.y + room.y / 2}, letter, palette().text);
 }
 
 void picture_title(Session& session, Side side, const Area& row, PictureCaptions captions, std::string_view instead) {

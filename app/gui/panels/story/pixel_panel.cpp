@@ -25,10 +25,7 @@ std::string prefix(Side side) { return side == Side::a ? "a" : "b"; }
 void place(Session& session, Vec2i pixel) {
   const View view = session.view();
   const Vec2i book = book_pixel(pixel.x, pixel.y, view.width, view.height);
-  {
-    const FontScope font(Face::mono);
-    value_paragraph("pixel", pixel_words(session, pixel));
-  }
+  value_paragraph("pixel", pixel_words(session, pixel), {Face::mono});
   tooltip(
       fmt::format("Column and row from the top left, the first is 0.\nIn the book's canvas ({}, {}): x to the right "
                   "and y upwards from the centre.",

@@ -23,26 +23,18 @@ std::string place_text(const Vec4d& v) {
                      ps::number_text(v.w));
 }
 
-void matrix(const Mat4d& m) {
-  const FontScope font(Face::mono);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float line = ImGui::GetTextLineHeight() + px(1);
-  auto& list = *ImGui::GetWindowDrawList();
+void matrix(const char* id, const Mat4d& m) {
+  if (!ImGui::BeginTable(id, 4, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_BordersOuterV)) return;
+  for (int column = 0; column < 4; ++column)
+    ImGui::TableSetupColumn("number", ImGuiTableColumnFlags_WidthFixed,
+                            px(column_width) - 2 * ImGui::GetStyle().CellPadding.x);
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column) {
-      const float x = at.x + px(6) + px(column_width) * static_cast<float>(column);
-      const float y = at.y + line * static_cast<float>(row);
-      draw_text({x, y}, {x + px(column_width) - px(6), y + line}, ps::number_text(m[column][row]),
-                m[column][row] == 0 ? palette().text_quiet : palette().text, 1);
+      const TextScope look({.quiet = m[column][row] == 0});
+      const std::string digits = ps::number_text(m[column][row]);
+      number_cell(digits, digits);
     }
-  const float height = 4 * line, right = at.x + px(12) + px(column_width) * 4;
-  for (const float x : {at.x, right}) {  // brackets
-    const float inward = x == at.x ? px(5) : -px(5);
-    list.AddLine({x, at.y}, {x, at.y + height}, colour_u32(palette().line_strong), px(1.5f));
-    list.AddLine({x, at.y}, {x + inward, at.y}, colour_u32(palette().line_strong), px(1.5f));
-    list.AddLine({x, at.y + height}, {x + inward, at.y + height}, colour_u32(palette().line_strong), px(1.5f));
-  }
-  ImGui::Dummy({right - at.x, height + px(4)});
+  ImGui::EndTable();
 }
 
 /// Where the vertex is after a step; what an edit changed shows beside it.
@@ -97,14 +89,14 @@ void world_card(Session& session, const VertexChain& now, const VertexChain& pla
       try_out(session, [&](VertexEdits& edits) {
         edits.order = order == 0 ? ModelOrder::turn_then_move : ModelOrder::move_then_turn;
       });
-    matrix(now.to_world);
+    matrix("to-world", now.to_world);
     result("world", now.world, plain.world);
   });
 }
 
 void camera_card(const VertexChain& now, const VertexChain& plain) {
   card(3, "camera", "World position minus camera position, along the camera's right, up and forward axes.", [&] {
-    matrix(now.to_camera);
+    matrix("to-camera", now.to_camera);
     result("camera", now.camera, plain.camera);
   });
 }
@@ -132,7 +124,7 @@ void clip_card(Session& session, const VertexChain& now, const VertexChain& plai
 
 void viewport_card(const VertexChain& now, const VertexChain& plain) {
   card(5, "projection", "x and y divided by w, which is z: pixels from the centre, y up (CGFS ch. 9).", [&] {
-    matrix(now.to_clip);
+    matrix("to-clip", now.to_clip);
     result("centred", now.centred, plain.centred);
     value_text("viewport", "on the viewport " + place_text(now.viewport), {Face::small, true});
   });

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <array>
@@ -8,8 +7,7 @@
 
 #include "base/check.h"
 #include "gui/panels/studies/chart_setup.h"
-#include "gui/platform/imgui_version.h"
-#include "gui/widgets/draw.h"
+#include "gui/widgets/text_field.h"
 #include "gui/widgets/widgets.h"
 #include "options/option_search.h"
 #include "study/setting_words.h"
@@ -57,14 +55,7 @@ bool value_buttons(SweepAxis& axis) {
 
 /// Numbers are typed. Invalid text leaves the values unchanged and is reported below.
 void typed_values(SweepAxis& axis, std::string& text) {
-  const std::string id = "##" + full_name("values");
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-  forget_edits_before(id.c_str());
-  const bool changed = ImGui::InputText(id.c_str(), &text);
-  outline(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
-          ImGui::IsItemActive() ? palette().text_quiet : palette().line_strong);
-  controls().record("values", text);
-  tooltip("The values, with commas between them.");
+  const bool changed = text_field("values", text, "", {.tooltip = "The values, with commas between them."}).changed;
   std::optional<SweepAxis> read;
   try {
     read = parse_sweep_axis(fmt::format("{}={}", axis.option->key, text));
