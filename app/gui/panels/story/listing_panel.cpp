@@ -228,7 +228,7 @@ bool ListingPanel::head() {
   if (ImGui::BeginPopup("listing-more")) {
     const Side side = listed_side(session, state);
     routine_controls(session, state, side, host_);
-    if (!room && fill_button(false)) {
+    if (!room && fill_by_button(false)) {
       fill = true;
       ImGui::CloseCurrentPopup();
     }

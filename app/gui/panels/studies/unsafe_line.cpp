@@ -78,11 +78,6 @@ void make_safe(Session& session, Side side, const UnsafeSetting& unsafe) {
   });
 }
 
-float small_width(const std::string& text) {
-  const FontScope font(Face::small);
-  return text_width(text);
-}
-
 /// Answers the experiment that is asked for.
 std::optional<std::string> details(Session& session, const UnsafeSide& state, Side side) {
   std::optional<std::string> wanted;
