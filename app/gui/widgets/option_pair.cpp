@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<const char*, 2> menus{"##menu-a", "##menu-b"};
 constexpr double gap = 8;            // between columns, at scale 1
-constexpr double wide_enough = 480;  // at scale 1, for labels and values in one line
+constexpr double wide_enough = 540;  // at scale 1, for labels and values in one line
 
 std::string_view name_of(Side side) { return side == Side::a ? "a" : "b"; }
 

@@ -213,6 +213,8 @@ struct QuestionPlace {
   ImVec2 size;
 };
 
+constexpr double question_inset = 12, below_question = 8;  // beside its bar, and to what follows it
+
 /// Answers where the question is to be drawn, if this page has it.
 std::optional<QuestionPlace> draw_page(const PanelHost& host, LessonReading& state, const std::vector<TextLine>& lines,
                                        const std::vector<ClaimLayout>& measured) {
@@ -256,9 +258,25 @@ std::optional<QuestionPlace> draw_page(const PanelHost& host, LessonReading& sta
   return question;
 }
 
+/// The height of a question that is new here, before it has its place: drawn where all of it is clipped.
+void measure_question(LessonReading& state, const Lesson& lesson, int step) {
+  const float width = ImGui::GetContentRegionAvail().x - px(question_inset);
+  const std::string subject = fmt::format("{}/{}/{}", lesson.name, step, width);
+  if (!state.ask || std::exchange(state.asked, subject) == subject) return;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::BeginChild("measure", {width, 0});
+  ImGui::PushClipRect(at, at, true);
+  const float top = ImGui::GetCursorPosY();
+  state.ask();
+  state.ask_height = ImGui::GetCursorPosY() - top + px(below_question);
+  ImGui::PopClipRect();
+  ImGui::EndChild();
+  ImGui::SetCursorScreenPos(at);
+}
+
 /// The question in its place, behind a bar of its own, so that it is not taken for text.
 void draw_question(LessonReading& state, const QuestionPlace& place) {
-  constexpr double bar = 3, inset = 12, below = 8;
+  constexpr double bar = 3, inset = question_inset, below = below_question;
   ImGui::SetCursorScreenPos({place.at.x + px(inset), place.at.y});
   ImGui::BeginChild("question", {place.size.x - px(inset), place.size.y});
   const float top = ImGui::GetCursorPosY();
@@ -357,13 +375,14 @@ bool LessonPanel::draw(const Context&) {
   ImGui::BeginChild("text", {0, -(ImGui::GetFrameHeightWithSpacing() + px(2))}, false,
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   turn_by_wheel(state.text);
+  measure_question(state, *lesson, index);  // its controls have names of their own
   std::optional<QuestionPlace> question;
   {
     const NameScope scope("lesson");
     const std::vector<TextLine> lines = column_of(session_, state, *lesson, index, own);
     question = draw_page(host_, state, lines, own.measured);
   }
-  if (question && state.ask) draw_question(state, *question);  // its controls have names of their own
+  if (question && state.ask) draw_question(state, *question);
   ImGui::EndChild();
   note_read(state, *lesson, index, state.text);
   const NameScope scope("lesson");
