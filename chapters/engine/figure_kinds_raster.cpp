@@ -150,6 +150,7 @@ void draw_transforms(FigureValues& values, FigureMarks& marks) {
   const std::array house{Vec2d(-0.8, 0), Vec2d(0.8, 0), Vec2d(0.8, 1), Vec2d(0, 1.7), Vec2d(-0.8, 1)};
   const auto draw = [&](const auto& map, const Stroke& stroke, double opacity) {
     std::vector<Vec2d> corners;
+    corners.reserve(house.size());
     for (const Vec2d& corner : house) corners.push_back(map(corner));
     add_polygon(marks, std::move(corners), stroke, opacity);
   };
