@@ -60,7 +60,7 @@ struct LessonReading {
   bool ask_again = false;     ///< was clicked, until the next frame
   std::function<void()> ask;  ///< draws the open question with its controls; empty while none is asked
   float ask_height = 200;     ///< that it took when it was drawn last, window pixels
-  std::string asked;           ///< the question that ask_height is about
+  std::string asked;          ///< the question that ask_height is about
   std::string shown_option;   ///< the page with its controls is to be turned to, once
 };
 

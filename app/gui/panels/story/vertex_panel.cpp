@@ -24,13 +24,14 @@ std::string place_text(const Vec4d& v) {
 }
 
 void matrix(const char* id, const Mat4d& m) {
-  if (!ImGui::BeginTable(id, 4, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_BordersOuterV)) return;
+  constexpr auto look = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_BordersOuterV | ImGuiTableFlags_NoHostExtendX;
+  if (!ImGui::BeginTable(id, 4, look)) return;
   for (int column = 0; column < 4; ++column)
     ImGui::TableSetupColumn("number", ImGuiTableColumnFlags_WidthFixed,
                             px(column_width) - 2 * ImGui::GetStyle().CellPadding.x);
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column) {
-      const TextScope look({.quiet = m[column][row] == 0});
+      const TextScope scope({.quiet = m[column][row] == 0});
       const std::string digits = ps::number_text(m[column][row]);
       number_cell(digits, digits);
     }
