@@ -19,14 +19,14 @@ std::string word_of(const std::string& area) { return "AT" + area.substr(area.rf
 template <class Areas>
 std::string kept(const Areas& areas) {
   std::string commands;
-  for (const std::string area : areas) commands += "keep " + area + " " + word_of(area) + "\n";
+  for (const char* area : areas) commands += "keep " + std::string(area) + " " + word_of(area) + "\n";
   return commands;
 }
 
 template <class Areas>
 std::string still_there(const Areas& areas) {
   std::string commands = "wait idle\nwait frames 2\n";
-  for (const std::string area : areas) commands += "expect " + area + " \"$" + word_of(area) + "\"\n";
+  for (const char* area : areas) commands += "expect " + std::string(area) + " \"$" + word_of(area) + "\"\n";
   return commands;
 }
 
@@ -35,8 +35,8 @@ class NothingMoves : public testing::TestWithParam<const char*> {};
 TEST_P(NothingMoves, OnClicksKeysAndTechniques) {
   std::string commands = "draw off\nwait idle\n" + kept(regions) + kept(pictures);
   for (const char* action :
-       {"click-pixel A 300,400\n", "key Right\n", "key Down\n", "click pixel/pin\n", "click pixel/pin\n", "key N\n",
-        "key Shift+N\n", "key G\n", "key G\n", "key T\n", "key T\n", "click-pixel B 200,200\n",
+       {"click-pixel A 150,200\n", "key Right\n", "key Down\n", "click pixel/pin\n", "click pixel/pin\n", "key N\n",
+        "key Shift+N\n", "key G\n", "key G\n", "key T\n", "key T\n", "click-pixel B 100,100\n",
         "click pixel/side/parting\n", "click pixel/side/a\n", "click-pixel A 5,5\n"})
     commands += action + still_there(regions) + still_there(pictures);
   for (const ps::Technique& technique : ps::technique_table())
@@ -48,8 +48,8 @@ TEST_P(NothingMoves, OnClicksKeysAndTechniques) {
   // The way back leads to the scene, and to the place of its pictures.
   commands +=
       "click techniques/back\n" + still_there(regions) + "expect scene cgfs/reflections\n" + still_there(pictures);
-  const auto run =
-      ps::test::play(commands, ps::fresh_output_folder(std::string("gui-nothing-moves-") + GetParam()), GetParam());
+  const auto run = ps::test::play(commands, ps::fresh_output_folder(std::string("gui-nothing-moves-") + GetParam()),
+                                  GetParam(), "--size 300x300");
   EXPECT_EQ(run.status, 0) << run.errors;
 }
 

@@ -23,7 +23,7 @@ std::string share_words(std::uint64_t before, std::uint64_t after, std::string_v
 
 /// "all three objects and the light"
 std::string shown_things(const ModelNeeds& needs) {
-  const std::string objects = model::part_of_all(needs.objects, needs.objects, "object", "objects");
+  std::string objects = model::part_of_all(needs.objects, needs.objects, "object", "objects");
   if (needs.lights == 0) return objects;
   return fmt::format("{} and {}", objects, model::part_of_all(needs.lights, needs.lights, "light", "lights"));
 }

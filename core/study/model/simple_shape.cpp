@@ -71,7 +71,7 @@ std::optional<std::array<double, 6>> covered_faces(const std::vector<WorldTriang
     const double face = upper ? box.high[axis] : box.low[axis];
     for (const Vec3d& corner : triangle.corners)
       if (std::abs((corner * frame)[axis] - face) > allowance * length) return {};
-    covered[static_cast<std::size_t>(2 * axis + (upper ? 1 : 0))] += triangle.area;
+    covered[2 * static_cast<std::size_t>(axis) + (upper ? 1 : 0)] += triangle.area;
   }
   return covered;
 }
