@@ -6,11 +6,11 @@
 #include "base/check.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
+#include "cli/needs_head.h"
 #include "cli/needs_model.h"
 #include "cli/scene_arguments.h"
 #include "number_option.h"
 #include "options/scene_settings.h"
-#include "render/provenance.h"
 #include "study/needs.h"
 #include "study/needs_words.h"
 
@@ -25,33 +25,20 @@ struct NeedsArguments {
   std::string views, sheet, save;
 };
 
-std::string changes(const Settings& from, const Settings& to) {
-  return fmt::format("{}", fmt::join(settings_difference(from, to), ";"));
-}
-
 void print_json(const Document& document, const Needs& needs) {
-  const Provenance made = provenance_of(document.a.settings);
-  nlohmann::ordered_json json{{"program", made.program},
-                              {"processor", made.processor},
-                              {"simd", made.simd},
-                              {"threads", made.threads},
-                              {"scene", document.scene_name},
-                              {"base-settings", made.settings},
-                              {"sentence", needs_sentence(document.scene_name, needs)},
-                              {"metric", "largest mean FLIP of a tile"},
-                              {"tolerance", needs.tolerance},
-                              {"within-tolerance", needs.within_tolerance},
-                              {"settings", changes(settings_for(document.base), needs.advice)},
-                              {"error", needs.error},
-                              {"default_error", needs.default_error},
-                              {"time_ms", needs.time_ms},
-                              {"default_time_ms", needs.default_time_ms},
-                              {"work", needs.work},
-                              {"default_work", needs.default_work},
-                              {"machinery", needs.machinery},
-                              {"truth", needs.truth},
-                              {"uncertainty", needs.uncertainty},
-                              {"increase", needs.increase}};
+  nlohmann::ordered_json json = needs_head(document, needs_sentence(document.scene_name, needs), needs.tolerance);
+  json.update({{"within-tolerance", needs.within_tolerance},
+               {"settings", changed_settings(settings_for(document.base), needs.advice)},
+               {"error", needs.error},
+               {"default_error", needs.default_error},
+               {"time_ms", needs.time_ms},
+               {"default_time_ms", needs.default_time_ms},
+               {"work", needs.work},
+               {"default_work", needs.default_work},
+               {"machinery", needs.machinery},
+               {"truth", needs.truth},
+               {"uncertainty", needs.uncertainty},
+               {"increase", needs.increase}});
   json["features"] = nlohmann::ordered_json::array();
   for (const FeatureShare& share : needs.shares) {
     nlohmann::ordered_json feature{{"name", share.feature.name},           {"used", share.used},
@@ -83,7 +70,7 @@ void print_text(const Document& document, const Needs& needs) {
   for (const NeedsStep& step : needs.trail)
     fmt::print("{:<30} {:>14.4g} {:>23}{}\n", step.change, step.increase, step.work, step.accepted ? "  taken" : "");
   fmt::print("\n");
-  const std::string advice = changes(settings_for(document.base), needs.advice);
+  const std::string advice = changed_settings(settings_for(document.base), needs.advice);
   const bool keep = needs.advice == document.a.settings;
   fmt::print("advice     {}\n", keep ? keep_sentence() : advice);
   if (!needs.within_tolerance) fmt::print("           {}\n", not_enough_sentence(needs));
@@ -92,9 +79,7 @@ void print_text(const Document& document, const Needs& needs) {
   fmt::print("time       {:.4g} ms, now {:.4g} ms{} ({})\n", needs.time_ms, needs.default_time_ms,
              needs.time_differs ? "" : ": the same within noise", needs.machinery);
   fmt::print("work       {} rays, tests, fragments and texels, now {}\n", needs.work, needs.default_work);
-  const Provenance made = provenance_of(document.a.settings);
-  fmt::print("made by    {}, {}, {}, {} threads{}{}\n", made.program, made.processor, made.simd, made.threads,
-             made.settings.empty() ? "" : ", ", made.settings);
+  print_made_by(document);
 }
 
 int run_needs(const NeedsArguments& arguments) {

@@ -12,6 +12,7 @@
 #include "base/number_text.h"
 #include "base/read_file.h"
 #include "cli/interrupt.h"
+#include "cli/needs_head.h"
 #include "cli/output_file.h"
 #include "image/file.h"
 #include "options/scene_settings.h"
@@ -57,30 +58,17 @@ Checked save_and_check(const ModelRequest& request, const ModelNeeds& needs, con
 
 std::string share(double part) { return fmt::format("{:.1f} %", 100 * part); }
 
-std::string changed_settings(const ModelRequest& request, const ModelNeeds& needs) {
-  return fmt::format("{}", fmt::join(settings_difference(request.base, needs.settings), ";"));
-}
-
 void print_json(const Document& document, const ModelRequest& request, const ModelNeeds& needs,
                 const std::optional<Checked>& checked) {
-  const Provenance made = provenance_of(document.a.settings);
-  nlohmann::ordered_json json{{"program", made.program},
-                              {"processor", made.processor},
-                              {"simd", made.simd},
-                              {"threads", made.threads},
-                              {"scene", document.scene_name},
-                              {"base-settings", made.settings},
-                              {"sentence", model_sentence(needs)},
-                              {"metric", "largest mean FLIP of a tile"},
-                              {"tolerance", needs.tolerance},
-                              {"views", needs.views},
-                              {"settings", changed_settings(request, needs)},
-                              {"work", needs.work},
-                              {"default_work", needs.default_work},
-                              {"bytes", needs.bytes},
-                              {"default_bytes", needs.default_bytes},
-                              {"increase", needs.change.increase},
-                              {"rmse", needs.change.rmse}};
+  nlohmann::ordered_json json = needs_head(document, model_sentence(needs), needs.tolerance);
+  json.update({{"views", needs.views},
+               {"settings", changed_settings(request.base, needs.settings)},
+               {"work", needs.work},
+               {"default_work", needs.default_work},
+               {"bytes", needs.bytes},
+               {"default_bytes", needs.default_bytes},
+               {"increase", needs.change.increase},
+               {"rmse", needs.change.rmse}});
   json["savings"] = nlohmann::ordered_json::array();
   for (const ModelSaving* saving : greatest_first(needs)) {
     nlohmann::ordered_json row{{"part", model_part_key(saving->part)}, {"goes", saving->goes},
@@ -135,14 +123,12 @@ void print_text(const Document& document, const ModelRequest& request, const Mod
              needs.work, needs.default_work);
   fmt::print("bytes      {}, now {}\n", with_thousands(std::to_string(needs.bytes)),
              with_thousands(std::to_string(needs.default_bytes)));
-  const std::string settings = changed_settings(request, needs);
+  const std::string settings = changed_settings(request.base, needs.settings);
   if (!settings.empty()) fmt::print("settings   {}\n", settings);
   if (checked)
     fmt::print("saved      {}: drawn afresh, it adds {:.2g}{}\n", checked->file, checked->change.increase,
                checked->holds ? "" : ", which is more than is allowed");
-  const Provenance made = provenance_of(document.a.settings);
-  fmt::print("made by    {}, {}, {}, {} threads{}{}\n", made.program, made.processor, made.simd, made.threads,
-             made.settings.empty() ? "" : ", ", made.settings);
+  print_made_by(document);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ namespace {
 
 std::string prefix(Side side) { return side == Side::a ? "a" : "b"; }
 
-/// The pixel in the picture's way of counting, the book's in the tooltip.
+/// The pixel's column and row; the tooltip shows its place on the book's canvas.
 void place(Session& session, Vec2i pixel) {
   const View view = session.view();
   const Vec2i book = book_pixel(pixel.x, pixel.y, view.width, view.height);

@@ -119,10 +119,7 @@ void technique_bar(Session& session, const Area& area) {
   }
   const float last_row = static_cast<float>(plan.rows - 1) * (ImGui::GetFrameHeight() + between());
   ImGui::SetCursorScreenPos({area.max.x - px(2) - end_width(), corner.y + last_row});
-  if (plan.places.size() < technique_table().size()) {
-    other_techniques(session, plan.places.size(), shown);
-    ImGui::SameLine(0, between());
-  }
+  if (plan.places.size() < technique_table().size()) other_techniques(session, plan.places.size(), shown);
   ImGui::SetCursorScreenPos(
       {area.max.x - px(2) - button_width(back_label) - button_width(more_label) - 2 * between(), corner.y + last_row});
   const bool has_back = session.document().before_technique != nullptr;
