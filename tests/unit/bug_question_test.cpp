@@ -89,7 +89,7 @@ TEST(BugQuestion, EveryBugHasAStep) {
   for (const NamedListing& listing : listings())
     EXPECT_EQ(bugs_without_step(load_lesson(listing.folder)), std::vector<std::string>{}) << listing.folder;
   Lesson lesson = load_lesson("cgfs_06_lines");
-  lesson.steps.pop_back();
+  std::erase_if(lesson.steps, [](const LessonStep& step) { return step.title == "Find the bug: dots"; });
   EXPECT_EQ(bugs_without_step(lesson), std::vector<std::string>{"dotted_lines"});
 }
 
