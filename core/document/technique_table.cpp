@@ -122,7 +122,7 @@ std::vector<Technique> table() {
        .label = "Perspective-correct",
        .with = "perspective-correct",
        .help = "Interpolated as if the triangle were flat on the screen, a texture bends at the diagonal.",
-       .keywords = "affine, perspective correction, interpolation, texture warp",
+       .keywords = "perspective correct, affine, perspective correction, interpolation, texture warp",
        .choices = {{"off", "affine", by_fragments({"interpolation=perspective"}),
                     by_fragments({"interpolation=affine"})}},
        .scenes = {"cgfs/crates"}},

@@ -71,8 +71,9 @@ std::vector<Option> texture_rows() {
            .help = {"How a colour is computed from the texels around a point.", "CGFS ch. 14",
                     "Nearest shows blocks near by and sparkles far away; mipmaps blur at grazing angles. Rays read "
                     "level 0, so trilinear and mipmap look like bilinear there."},
-           .keywords = "bilinear, trilinear, nearest, mipmap, mip, minification, magnification, aliasing, moire, "
-                       "shimmer, pixelated, blur",
+           .keywords =
+               "texel, bilinear, trilinear, nearest, mipmap, mip, minification, magnification, aliasing, moire, "
+               "shimmer, pixelated, blur",
            .truth = pixel_average("texture-filter=bilinear"),
            .inactive = needs_textures_on,
            .known_to = {.fast = any_value, .hardware = defined_as("TEXTURE_FILTER")},

@@ -10,6 +10,7 @@
 #include "gui/input/key_hint.h"
 #include "gui/panels/lesson/first_look.h"
 #include "gui/panels/lesson/lesson_panel.h"
+#include "gui/panels/pictures/picture_size.h"
 #include "gui/widgets/draw.h"
 
 namespace ps::gui {
@@ -31,6 +32,11 @@ void MenuBar::view_menu() {
   items({"side-by-side", "split", "difference", "only-a", "only-b"});
   below("menu/zoom", "Zoom", {"fit", "one-to-one", "zoom-in", "zoom-out"});
   below("menu/pictures", "In the pictures", {"grid", "handles", "gizmo", "channel-next", "channel-before"});
+  if (begin_menu("menu/size", "Picture size")) {
+    for (const char* name : {"size-own", "size-half", "size-double", "size-shown"}) menu_action(actions_, name);
+    size_fields(session_);
+    end_menu();
+  }
   below("menu/window", "Window", {"panels", "fullscreen"});
   ImGui::Separator();
   items({"slow-motion", "predict"});

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "gui/frame/missing_features.h"
 #include "gui/panels/lesson/lesson_list.h"
 #include "gui/panels/options/value_entries.h"
 #include "gui/session/compare_technique.h"
@@ -20,15 +23,35 @@ Side side_that_it_acts_on(const Session& session, const Option& option) {
   return !acts(picked) && acts(other) ? other : picked;
 }
 
-}  // namespace
+/// The words of a choice among several lead to it before the words of them all do.
+std::string search_words(const Technique& technique, const TechniqueChoice& choice) {
+  if (technique.choices.size() == 1) return fmt::format("{}, {}", technique.label, technique.keywords);
+  std::string all(technique.keywords);
+  std::erase(all, ',');
+  return fmt::format("{}, {} {}", choice.label, technique.label, all);
+}
 
-std::vector<PaletteEntry> palette_entries(const PanelHost& host, const PanelList& panels) {
-  Session& session = host.session;
-  std::vector<PaletteEntry> entries;
+/// "far origin" for "lab/far-origin".
+std::string name_in_words(const std::string& scene) {
+  std::string words = scene.substr(scene.find('/') + 1);
+  std::replace(words.begin(), words.end(), '-', ' ');
+  return words;
+}
+
+void add_lessons(std::vector<PaletteEntry>& entries, Session& session) {
+  for (const ListedLesson& lesson : listed_lessons()) {
+    if (!lesson.fault.empty()) continue;
+    entries.push_back({"lesson/" + lesson.name, lesson.title, "lesson",
+                       [&session, &lesson] { go_to_step(session, lesson.name, 0); }, "lesson"});
+  }
   for (const ListedLesson& lesson : listed_lessons())
-    if (lesson.fault.empty())
-      entries.push_back({"lesson/" + lesson.name, lesson.title, "lesson",
-                         [&session, &lesson] { go_to_step(session, lesson.name, 0); }});
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i)
+      entries.push_back({fmt::format("step/{}/{}", lesson.name, i + 1),
+                         fmt::format("{}: {}", lesson.title, lesson.steps[i]), "step",
+                         [&session, &lesson, i] { go_to_step(session, lesson.name, static_cast<int>(i)); }});
+}
+
+void add_options(std::vector<PaletteEntry>& entries, Session& session, const PanelHost& host) {
   for (const Option& option : option_table())
     entries.push_back(
         {fmt::format("option/{}", option.key), fmt::format("{}: {}", option.group, option.label), "option",
@@ -38,18 +61,28 @@ std::vector<PaletteEntry> palette_entries(const PanelHost& host, const PanelList
            key_focus().go_to(
                fmt::format("options/{}/{}", side_that_it_acts_on(session, option) == Side::a ? "a" : "b", option.key));
          },
-         fmt::format("{}, {}", option.key, option.keywords)});
-  for (PaletteEntry& entry : value_entries(session)) entries.push_back(std::move(entry));
-  for (Panel& panel : panels) panel.add_entries(entries);
+         fmt::format("{}, {}, {}", option.label, option.key, option.keywords)});
+}
+
+}  // namespace
+
+std::vector<PaletteEntry> palette_entries(const PanelHost& host, const PanelList& panels) {
+  Session& session = host.session;
+  std::vector<PaletteEntry> entries;
   for (const Technique& technique : technique_table())
     for (const TechniqueChoice& choice : technique.choices)
       entries.push_back({fmt::format("technique/{}/{}", technique.key, choice.key),
                          technique_command(technique, choice), "compare",
                          [&session, &technique, &choice] { compare_technique(session, technique, choice); },
-                         fmt::format("compare, {}, {}", technique.label, technique.keywords)});
+                         search_words(technique, choice)});
+  for (PaletteEntry& entry : channel_entries(session)) entries.push_back(std::move(entry));
+  add_options(entries, session, host);
+  for (PaletteEntry& entry : value_entries(session)) entries.push_back(std::move(entry));
+  add_lessons(entries, session);
   for (const BuiltinScene& scene : builtin_scenes())
     entries.push_back({"scene/" + scene.name, scene.title, "scene", [&session, &scene] { session.open(scene.name); },
-                       scene.name + ", " + scene.keywords});
+                       fmt::format("{}, {}, {}", scene.name, name_in_words(scene.name), scene.keywords)});
+  for (Panel& panel : panels) panel.add_entries(entries);
   for (const StabilityExperiment& experiment : stability_experiments())
     entries.push_back({fmt::format("experiment/{}", experiment.key), std::string(experiment.title), "experiment",
                        [&session, &host, &experiment] {
@@ -57,6 +90,12 @@ std::vector<PaletteEntry> palette_entries(const PanelHost& host, const PanelList
                          session.navigate([&](Document& document) { document.layout.experiment = experiment.key; });
                        },
                        fmt::format("{}, {}", experiment.key, experiment.keywords)});
+  for (const MissingFeature& missing : missing_features())
+    entries.push_back({.name = fmt::format("missing/{}", missing.name),
+                       .label = fmt::format("No {} here. Nearest: {}", missing.name, missing.nearest),
+                       .kind = "not here",
+                       .words = fmt::format("{}, {}", missing.name, missing.words),
+                       .leads_to = std::string(missing.leads_to)});
   return entries;
 }
 

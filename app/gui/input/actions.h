@@ -44,14 +44,23 @@ struct Gesture {
   std::string places = {};
 };
 
-/// Something besides the actions that the palette finds by its label, or by other words.
+/// A line of the palette besides the actions, found by its label or by other words.
 struct PaletteEntry {
+  /// What it would do to one of the two pictures.
+  struct ForPicture {
+    char picture = 'A';
+    std::string effect;   ///< in few words: "set in A", "A has it"
+    bool changes = true;  ///< false where it has that already, or cannot act
+    std::function<void()> run;
+  };
   std::string name;  ///< stable: "lesson/cgfs_03_light", "option/shading"
   std::string label;
   std::string kind;  ///< "lesson", "option": written where actions have their keys
-  std::function<void()> run;
-  std::string words = {};  ///< not shown: what else people call it
-  bool changes = true;     ///< false where running it would change no picture: such entries come last
+  std::function<void()> run = {};
+  std::string words = {};  ///< not shown: what else people call it, with commas between
+  /// In place of `run`: what it does to each picture; Enter takes the first that changes.
+  std::vector<ForPicture> pictures = {};
+  std::string leads_to = {};  ///< in place of `run`: the name of an action or another entry
 };
 
 class Actions {

@@ -11,6 +11,13 @@
 namespace ps::gui {
 namespace {
 
+/// The picked pixel of `from` where a picture of the size of `to` has it.
+Vec2i same_place(const Document& from, const Document& to) {
+  const View old = view_of(from), now = view_of(to);
+  if (from.pixel.x < 0 || (old.width == now.width && old.height == now.height)) return from.pixel;
+  return {from.pixel.x * now.width / old.width, from.pixel.y * now.height / old.height};
+}
+
 /// Where the user is, as opposed to what was changed: undo leaves it alone.
 void keep_place(const Document& from, Document& to) {
   const auto camera = to.view.camera;
@@ -19,7 +26,7 @@ void keep_place(const Document& from, Document& to) {
   to.view.camera = camera;
   to.view.width = width;
   to.view.height = height;
-  to.pixel = from.pixel;
+  to.pixel = same_place(from, to);
   to.picked = from.picked;
   to.events = from.events;
   to.story = from.scene_name == to.scene_name ? from.story : carried_over(from.story, false);

@@ -29,6 +29,7 @@
 #include "gui/theme/theme.h"
 #include "gui/widgets/key_focus.h"
 #include "gui/widgets/redraw.h"
+#include "gui/widgets/widgets.h"
 
 namespace ps::gui {
 namespace {
@@ -150,6 +151,7 @@ void Shell::Impl::offer_values() {
   values().offer("window/maximised", [=, this] { return on_off(window.maximised()); });
   values().offer("window/fullscreen", [=, this] { return on_off(window.fullscreen()); });
   values().offer("window/visible", [=, this] { return on_off(window.visible()); });
+  values().offer("window/tooltip", [=] { return on_off(tooltip_visible()); });
   values().offer("window/turns", [this] { return std::to_string(turns); });
   values().offer("keyboard/at", [] { return key_focus().place(); });
   // "F2=mode-lesson X=split": what keys do now; two names with a "+" would be two meanings of one key.
@@ -266,6 +268,7 @@ void Shell::Impl::dispatch_keys() {
   const bool typing = ImGui::GetIO().WantTextInput;
   for (const KeyChange& key : input.keys()) {
     const Chord chord = key.key.first();
+    if (key.down) hide_tooltip();
     if (!key.down)
       actions.key_up(key.key.at_place.key);
     else if (!help.take_key(chord) && !palette.is_open() && (typing || !key_focus().take_key(chord, key.repeat)))

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "gui/widgets/draw.h"
 #include "gui/widgets/redraw.h"
@@ -16,7 +17,7 @@ constexpr double tooltip_delay = 0.6;  // seconds at rest
 struct Rest {
   ImVec2 min{-1, -1}, max{-1, -1};
   double since = 0;
-  int frame = -2;
+  bool shown = false, hidden = false;  ///< hidden: by a key, until the pointer goes on
 };
 Rest rest;
 
@@ -27,12 +28,27 @@ bool rested_on_last_item() {
   const double now = ImGui::GetTime();
   const bool same = rest.min.x == min.x && rest.min.y == min.y && rest.max.x == max.x && rest.max.y == max.y;
   const bool moving = (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) && now - rest.since < tooltip_delay;
-  if (!same || moving || ImGui::IsAnyMouseDown() || io.MouseWheel != 0) rest = {min, max, now, 0};
-  rest.frame = ImGui::GetFrameCount();
+  const bool moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
+  if (!same || moving || (rest.hidden && moved) || ImGui::IsAnyMouseDown() || io.MouseWheel != 0)
+    rest = {min, max, now};
+  if (rest.hidden) return false;
   const double left = tooltip_delay - (now - rest.since);
   if (left > 0) redraw_after(left + 0.005);
+  // Dear ImGui hides a window that sizes itself in its first frame.
+  if (left <= 0 && !std::exchange(rest.shown, true)) redraw_after(0);
   return left <= 0;
 }
+
+}  // namespace
+
+void hide_tooltip() { rest.hidden = true; }
+
+bool tooltip_visible() {
+  const ImGuiWindow* window = ImGui::FindWindowByName("##Tooltip_00");
+  return window && window->Active && !window->Hidden;
+}
+
+namespace {
 
 ImVec2 last_size{0, 0};  // of the newest tooltip, as it came out
 

@@ -160,6 +160,10 @@ bool search_box(std::string_view name, std::string& text, std::string_view hint,
 // --- feedback.cpp ---
 /// Tooltip for the last item, after a short rest of the pointer, wrapped at about 40 em.
 void tooltip(std::string_view text);
+/// A key was pressed: the tooltip goes, until the pointer moves.
+void hide_tooltip();
+/// Whether one was seen in the last frame.
+bool tooltip_visible();
 /// A tooltip that draws itself.
 bool begin_tooltip();  ///< for the last item; if true, call end_tooltip()
 void end_tooltip();

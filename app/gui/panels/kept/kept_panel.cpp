@@ -165,11 +165,15 @@ bool KeptPanel::draw(const Context&) {
 }
 
 void KeptPanel::add_entries(std::vector<PaletteEntry>& entries) {
-  for (const KeptEntry& preset : presets_)
+  for (const KeptEntry& preset : presets_) {
+    PaletteEntry& entry = entries.emplace_back();
+    entry.name = "preset/" + preset.name;
+    entry.label = "Preset: " + preset.name;
+    entry.words = preset.name + ", " + preset.text;
     for (const Side side : both_sides)
-      entries.push_back({fmt::format("preset/{}/{}", preset.name, side == Side::a ? "a" : "b"),
-                         fmt::format("{} into {}", preset.name, letter_of(side)), "preset",
-                         [this, side, preset] { apply_preset(session_, side, preset); }, preset.text});
+      entry.pictures.push_back({letter_of(side), fmt::format("apply to {}", letter_of(side)), true,
+                                [this, side, preset] { apply_preset(session_, side, preset); }});
+  }
   for (const KeptEntry& bookmark : bookmarks_)
     entries.push_back({"bookmark/" + bookmark.name, bookmark.name, "bookmark",
                        [this, text = bookmark.text] { session_.open_permalink(text); }});

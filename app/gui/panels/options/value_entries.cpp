@@ -5,6 +5,7 @@
 #include <array>
 
 #include "options/option.h"
+#include "render/channel_picture.h"
 
 namespace ps::gui {
 namespace {
@@ -44,13 +45,21 @@ std::string in_words(Effect effect, Side side) {
   return {};
 }
 
+std::array<Side, 2> picked_first(const Session& session) {
+  return {session.document().picked, other_side(session.document().picked)};
+}
+
 }  // namespace
 
 std::vector<PaletteEntry> value_entries(Session& session) {
-  std::vector<PaletteEntry> entries;  // of the picked picture first
+  std::vector<PaletteEntry> entries;
   for (const Option& option : option_table())
-    for (const Value& value : values_of(option))
-      for (const Side side : {session.document().picked, other_side(session.document().picked)}) {
+    for (const Value& value : values_of(option)) {
+      PaletteEntry& entry = entries.emplace_back();
+      entry.name = fmt::format("value/{}/{}", option.key, value.key);
+      entry.label = fmt::format("{}: {}", option.label, value.label);
+      entry.words = fmt::format("{}, {} {}, {}", value.key, option.key, value.key, value.label);
+      for (const Side side : picked_first(session)) {
         const auto set = [&session, &option, side, number = value.number] {
           Settings settings = session.settings(side);
           option.set(settings, number);
@@ -58,13 +67,30 @@ std::vector<PaletteEntry> value_entries(Session& session) {
                                fmt::format("{}: {} = {}", letter_of(side), option.key, option_text(option, settings)));
         };
         const Effect effect = effect_of(session, option, side, value);
-        entries.push_back({.name = fmt::format("value/{}/{}/{}", option.key, value.key, side == Side::a ? "a" : "b"),
-                           .label = fmt::format("{}: {}", option.label, value.label),
-                           .kind = in_words(effect, side),
-                           .run = set,
-                           .words = fmt::format("{} {}", option.key, value.key),
-                           .changes = effect == Effect::sets_it});
+        entry.pictures.push_back({letter_of(side), in_words(effect, side), effect == Effect::sets_it, set});
       }
+    }
+  return entries;
+}
+
+std::vector<PaletteEntry> channel_entries(Session& session) {
+  std::vector<PaletteEntry> entries;
+  for (const ShownChannelRow& row : shown_channels()) {
+    PaletteEntry& entry = entries.emplace_back();
+    entry.name = fmt::format("channel/{}", row.key);
+    entry.label = fmt::format("Show: {}", row.label);
+    entry.words =
+        fmt::format("{}, {}s, {}, channel{}", row.key, row.key, row.label, row.heat.value ? ", heatmap, heat map" : "");
+    for (const Side side : picked_first(session)) {
+      const auto show = [&session, side, channel = row.channel] {
+        session.edit("show another channel", "channel",
+                     [&](Document& document) { side_of(document, side).show = channel; });
+      };
+      const bool shown = session.shown(side) == row.channel;
+      entry.pictures.push_back(
+          {letter_of(side), in_words(shown ? Effect::has_it : Effect::sets_it, side), !shown, show});
+    }
+  }
   return entries;
 }
 

@@ -6,8 +6,11 @@
 
 namespace ps::gui {
 
-/// Entries of the palette for the values of options: "Shading: Gouraud", which sets it in A, and again for B. Choices
-/// and switches have one entry for each value and picture; numbers have none.
+/// Entries of the palette for the values of options, "Shading: Gouraud", each to be set in A or in B, the picked
+/// picture first. Numbers have none.
 std::vector<PaletteEntry> value_entries(Session& session);
+
+/// Likewise for the channels: "Show: Normal".
+std::vector<PaletteEntry> channel_entries(Session& session);
 
 }  // namespace ps::gui

@@ -8,6 +8,7 @@
 
 #include "document/permalink.h"
 #include "gui/panels/pictures/first_nan.h"
+#include "gui/panels/pictures/picture_size.h"
 #include "gui/session/camera_moves.h"
 #include "render/channel_picture.h"
 
@@ -174,6 +175,7 @@ void add_camera_actions(Actions& actions, Session& session, PicturesState& pictu
 void add_picture_actions(Actions& actions, Session& session, PicturesState& pictures) {
   add_compare_actions(actions, session, pictures);
   add_view_actions(actions, session, pictures);
+  add_size_actions(actions, session, pictures);
   add_pixel_actions(actions, session);
   add_camera_actions(actions, session, pictures);
   add_slow_motion_actions(actions, session, pictures.slow, [&pictures] { return !flying(pictures); });

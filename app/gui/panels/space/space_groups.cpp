@@ -6,7 +6,7 @@
 namespace ps::gui {
 namespace {
 
-std::size_t index_of(SpaceGroup group) { return static_cast<std::size_t>(group); }
+std::size_t group_index(SpaceGroup group) { return static_cast<std::size_t>(group); }
 
 }  // namespace
 
@@ -15,16 +15,16 @@ SpaceGroups shown_groups(const OutsideView& outside) {
   std::istringstream words(outside.switched);
   for (std::string key; std::getline(words, key, ',');)
     for (const auto& row : space_groups)
-      if (row.key == key) shown[index_of(row.group)] = !first_space_groups()[index_of(row.group)];
+      if (row.key == key) shown[group_index(row.group)] = !first_space_groups()[group_index(row.group)];
   return shown;
 }
 
 void switch_group(OutsideView& outside, SpaceGroup group) {
   auto shown = shown_groups(outside);
-  shown[index_of(group)] = !shown[index_of(group)];
+  shown[group_index(group)] = !shown[group_index(group)];
   outside.switched.clear();
   for (const auto& row : space_groups)
-    if (shown[index_of(row.group)] != first_space_groups()[index_of(row.group)])
+    if (shown[group_index(row.group)] != first_space_groups()[group_index(row.group)])
       outside.switched += (outside.switched.empty() ? "" : ",") + std::string(row.key);
 }
 

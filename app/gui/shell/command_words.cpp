@@ -1,0 +1,75 @@
+#include "gui/shell/command_words.h"
+
+#include <map>
+
+namespace ps::gui {
+
+std::string_view command_words(std::string_view action) {
+  static const std::map<std::string_view, std::string_view> words{
+      {"help", "help, shortcuts, hotkeys, keyboard, manual, key bindings"},
+      {"palette", "search, command palette"},
+      {"larger-type", "font size, text size, bigger text, interface scale, zoom in the window, projector"},
+      {"smaller-type", "font size, text size, interface scale"},
+      {"dark-theme", "dark mode, light mode, night mode, theme, colours of the window"},
+      {"fullscreen", "fullscreen, maximise, maximize"},
+      {"quit", "exit, close the window"},
+      {"open", "open obj, import, load, model, mesh, wavefront, file"},
+      {"reload", "refresh"},
+      {"save-picture", "export png, export, export image, save image, png, render to file"},
+      {"save-scene", "export scene, background, background colour, edit the scene"},
+      {"save-screen", "save session, save state"},
+      {"picture-b", "compare image, compare with a file, reference image, ground truth, diff with a png, import image"},
+      {"drop-picture-b", "close the file, remove the reference image"},
+      {"copy-permalink", "share, link, url"},
+      {"copy-command", "command line, terminal, cli, script"},
+      {"mode-presenter", "presentation, projector, beamer, slides, lecture"},
+      {"mode-explore", "free mode, sandbox"},
+      {"mode-study", "measure, benchmark"},
+      {"scenes", "scene list, examples, samples"},
+      {"lessons", "course, tutorial, learn, chapters"},
+      {"kept", "preset, bookmark, favourite"},
+      {"glossary", "terms, definitions, dictionary"},
+      {"difference", "diff, heat map of the difference, error map, subtract, histogram"},
+      {"split", "swipe, wipe, slider, before and after"},
+      {"side-by-side", "two pictures, next to each other"},
+      {"flicker", "blink, toggle A and B"},
+      {"loupe", "magnifier, magnifying glass"},
+      {"fit", "zoom, zoom to fit, whole picture"},
+      {"size-own", "resolution, picture size, image size, canvas size, width, height"},
+      {"size-double", "resolution, picture size, supersize, higher resolution"},
+      {"size-half", "resolution, picture size, lower resolution"},
+      {"size-shown", "resolution, picture size, native resolution, sharp pixels"},
+      {"one-to-one", "zoom 100 %, actual size, native size"},
+      {"zoom-in", "zoom, magnify"},
+      {"zoom-out", "zoom"},
+      {"grid", "pixel grid, pixel values, numbers in pixels"},
+      {"handles", "light position, move the light, drag a light, move an object"},
+      {"gizmo", "translate, move an object, axes"},
+      {"range", "colour map, colormap, heatmap range"},
+      {"channel-next", "channel, buffer, aov, render pass"},
+      {"panels", "hide the interface, clean screen"},
+      {"orbit-left", "rotate camera, rotate the view, turn the scene, turntable"},
+      {"turn-left", "look around, pan the camera"},
+      {"fly", "walk, move the camera, wasd, first person"},
+      {"reset-view", "reset the camera, home, initial view"},
+      {"shot-window", "screenshot, screen capture, print screen"},
+      {"shot-pictures", "quick save, save now"},
+      {"slow-motion", "animation, step by step, replay, draw call by draw call"},
+      {"light-left", "light position, move the light"},
+      {"object", "material, position, transform, move an object, colour of an object"},
+      {"undo", "revert, take back"},
+      {"history", "undo list"},
+      {"study-timings", "ray count, number of rays, counters, statistics, profile, performance, milliseconds, speed"},
+      {"study-chart", "plot, graph, benchmark, curve, convergence"},
+      {"study-needs", "minimum settings, simplify, optimise, optimize, what is unused"},
+      {"study-why", "explain the difference, cause, root cause"},
+      {"study-space", "3d view, outside view, scene view, bird's eye"},
+      {"study-listing", "source code, pseudocode, code"},
+      {"study-pixels", "largest error, outliers"},
+      {"first-nan", "not a number, infinity, fireflies"},
+  };
+  const auto found = words.find(action);
+  return found == words.end() ? std::string_view() : found->second;
+}
+
+}  // namespace ps::gui
