@@ -270,10 +270,12 @@ double pixels_of(Vec2i picture_size, const Area& area, PictureFit fit) {
   return zoom * picture_size.x * zoom * picture_size.y;
 }
 
-/// "31 % of pixels differ"; empty while one of the pictures is still being made, or shows no colours.
+/// "31 % of pixels differ"; empty while one of the pictures is still being made, shows no colours, or is covered by a
+/// question, which the number might answer.
 std::string difference_text(Session& session, PicturesState& state) {
   for (const Side side : both_sides)
-    if (session.shown(side) != ShownChannel::colour || slow_state(session, side) ||
+    if (state.drawn.covers.hidden[index_of(side)] || session.shown(side) != ShownChannel::colour ||
+        slow_state(session, side) ||
         (!(side == Side::b && session.picture_b()) && session.renderer(side).status().state != RenderState::done))
       return {};
   const Image<Rgb8>&a = state.pictures[0].levels, &b = state.pictures[1].levels;
