@@ -35,7 +35,8 @@ namespace {
 struct RenderArguments {
   SceneArguments scene;
   std::string output;
-  std::string show;  ///< key of a channel; empty = that of the permalink, or the colours
+  std::string show;         ///< key of a channel; empty = that of the permalink, or the colours
+  std::string field, mark;  ///< a number of the story to show, and the condition that marks pixels; may be empty
   std::string stats;
   std::string ppm;          ///< "ascii" or "binary"; empty = binary
   std::vector<int> region;  ///< x, y, width, height; empty = all
@@ -152,7 +153,14 @@ int run_render(const RenderArguments& arguments) {
       throw InputError(fmt::format("--stats: {} is the picture's own file", arguments.stats));
   }
   Document document = load_document(arguments.scene);
-  const ShownChannel show = arguments.show.empty() ? document.a.show : parse_shown_channel(arguments.show);
+  if (!arguments.field.empty()) document.field = ShownField{parse_field_query(arguments.field), {}};
+  if (!arguments.mark.empty()) {
+    if (!document.field) throw InputError("--mark: needs --field");
+    document.field->condition = parse_field_condition(arguments.mark);
+  }
+  const ShownChannel asked = arguments.field.empty() ? document.a.show : ShownChannel::field;
+  const ShownChannel show = arguments.show.empty() ? asked : parse_shown_channel(arguments.show);
+  if (show == ShownChannel::field && !document.field) throw InputError("--show field: needs --field");
   for (const std::string& file : {arguments.output, arguments.stats}) require_no_input(file, files_of(document.scene));
   document.a.show = show;
   const View view = view_of(document);
@@ -167,6 +175,7 @@ int run_render(const RenderArguments& arguments) {
   Prepared prepared;
   RenderRequest request;
   request.channels = shown_channel(show).needs;
+  if (document.field) request.field = std::make_shared<const ShownField>(*document.field);
   request.region = document.view.region;
   Image<Rgb8> levels;  // outside a region they would hold anything
   if (show == ShownChannel::colour && !request.region && !document.a.slow_motion &&
@@ -195,6 +204,12 @@ void add_render_command(CLI::App& app, Action& chosen) {
   for (const ShownChannelRow& row : shown_channels()) views += fmt::format("{}{}", views.empty() ? "" : " ", row.key);
   command->add_option("--show", arguments->show, "the channel to show, in a .pfm file as its numbers: " + views)
       ->type_name("VIEW");
+  command
+      ->add_option("--field", arguments->field,
+                   "a number of the pixel's story to show for every pixel: 'hit: t', 'light 1: n-dot-l'")
+      ->type_name("EVENT: NUMBER");
+  command->add_option("--mark", arguments->mark, "mark the pixels whose number meets it: '< 0.001'")
+      ->type_name("CONDITION");
   command->add_option("--region", arguments->region, "only these pixels; the others stay black")
       ->delimiter(',')
       ->expected(4)

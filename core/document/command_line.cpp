@@ -34,7 +34,12 @@ std::string render_command(const Document& document, Side side, const std::strin
   std::string text = "pixelscope-cli render" + scene_arguments(document, side);
   const ShownChannel show = side_of(document, side).show;
   if (document.view.region) text += " --region " + region_text(*document.view.region);
-  if (show != ShownChannel{}) text += fmt::format(" --show {}", shown_channel(show).key);
+  if (show == ShownChannel::field && document.field) {
+    text += fmt::format(" --field {}", shell_quote(field_query_text(document.field->query)));
+    if (document.field->condition)
+      text += fmt::format(" --mark {}", shell_quote(field_condition_text(*document.field->condition)));
+  } else if (show != ShownChannel{})
+    text += fmt::format(" --show {}", shown_channel(show).key);
   if (const auto& slow = side_of(document, side).slow_motion) text += " --slow-motion " + slow_motion_text(*slow);
   return text + " --out " + shell_quote(output);
 }

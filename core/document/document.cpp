@@ -19,10 +19,11 @@ bool same_file(const Scene& x, const Scene& y) {
 
 bool operator==(const Document& x, const Document& y) {
   return x.scene_name == y.scene_name && same_file(x.base, y.base) && x.edits == y.edits && x.view == y.view &&
-         x.a == y.a && x.b == y.b && x.picture_b == y.picture_b && x.pixel == y.pixel && x.picked == y.picked &&
-         x.events == y.events && x.story == y.story && x.pin == y.pin && x.compare == y.compare && x.split == y.split &&
-         x.heat_range == y.heat_range && x.difference_gain == y.difference_gain && x.mode == y.mode &&
-         x.layout == y.layout && x.lesson == y.lesson && x.step == y.step;
+         x.a == y.a && x.b == y.b && x.field == y.field && x.picture_b == y.picture_b && x.pixel == y.pixel &&
+         x.picked == y.picked && x.events == y.events && x.story == y.story && x.pin == y.pin &&
+         x.compare == y.compare && x.split == y.split && x.heat_range == y.heat_range &&
+         x.difference_gain == y.difference_gain && x.mode == y.mode && x.layout == y.layout && x.lesson == y.lesson &&
+         x.step == y.step;
 }
 
 Document open_document(const std::string& scene_name, Scene scene) {

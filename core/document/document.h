@@ -13,6 +13,7 @@
 #include "frame/slow_motion.h"
 #include "frame/view.h"
 #include "options/settings.h"
+#include "record/field_query.h"
 #include "render/channel_picture.h"
 #include "scene/scene.h"
 
@@ -79,9 +80,10 @@ struct Document {
   std::vector<SceneEdit> edits;  ///< in the order in which they are applied
   PictureView view;
   SideState a, b;
-  std::string picture_b;  ///< a picture file that is in B's place, as the user gave it; empty = B is rendered
-  Vec2i pixel{-1, -1};    ///< the picked pixel, array position; (-1, -1) = none
-  Side picked = Side::a;  ///< whose story is shown
+  std::optional<ShownField> field;  ///< the number of the story that ShownChannel::field shows
+  std::string picture_b;            ///< a picture file that is in B's place, as the user gave it; empty = B is rendered
+  Vec2i pixel{-1, -1};              ///< the picked pixel, array position; (-1, -1) = none
+  Side picked = Side::a;            ///< whose story is shown
   std::array<int, 2> events{-1, -1};  ///< the selected events of the stories of A and B; -1 = none
   StoryView story;                    ///< what its views show
   std::optional<Pin> pin;             ///< pinned pixel; its old numbers are shown beside the new ones

@@ -141,6 +141,18 @@ const std::vector<Field>& document_fields() {
        [](Document& d, std::string_view t) { event_of(d, other_side(d.picked)) = parse_event(t); }},
       {"show-a", [](const Document& d) { return show_text(d.a.show); },
        [](Document& d, std::string_view t) { d.a.show = parse_shown_channel(t); }},
+      {"field", [](const Document& d) { return d.field ? Text{field_query_text(d.field->query)} : Text{}; },
+       [](Document& d, std::string_view t) {
+         d.field = ShownField{parse_field_query(t), {}};
+       }},
+      {"mark",
+       [](const Document& d) {
+         return d.field && d.field->condition ? Text{field_condition_text(*d.field->condition)} : Text{};
+       },
+       [](Document& d, std::string_view t) {
+         if (!d.field) throw InputError("mark: needs a field");
+         d.field->condition = parse_field_condition(t);
+       }},
       {"show-b", [](const Document& d) { return show_text(d.b.show); },
        [](Document& d, std::string_view t) { d.b.show = parse_shown_channel(t); }},
       {"slow-motion-a", [](const Document& d) { return slow_text(d.a); },

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,6 +15,8 @@
 #include "math/vec.h"
 
 namespace ps {
+
+struct ShownField;  // record/field_query.h
 
 /// Pictures that a renderer can make besides colour. Combined with |.
 enum class Channel : std::uint32_t {
@@ -34,6 +37,7 @@ enum class Channel : std::uint32_t {
   stencil = 1u << 13,      ///< counts in the stencil buffers, added up over the lights
   environment = 1u << 14,  ///< the cube map of the first mirror, laid out over the picture's area
   precision = 1u << 15,    ///< what comes out otherwise in double; needs ids
+  field = 1u << 17,        ///< the number of the pixel's story that RenderRequest::field asks for
   depth_gap = 1u << 16,    ///< between the first and the second surface, in units of the stored depth
 };
 constexpr Channel operator|(Channel a, Channel b) {
@@ -85,7 +89,9 @@ struct Frame {
   Image<std::int32_t> stencil;
   Image<Vec3f> environment;  ///< linear; negative = no map here
   Image<PrecisionFault> precision;
-  Image<float> depth_gap;  ///< see render/precision_channels.h
+  Image<float> depth_gap;                         ///< see render/precision_channels.h
+  Image<float> field;                             ///< NaN where the story has no such number
+  std::shared_ptr<const ShownField> shown_field;  ///< what `field` holds
   Counters counters;
   std::vector<StageTime> times;
   std::optional<DriverTimes> driver;  ///< only where a graphics driver drew it
@@ -110,6 +116,7 @@ enum class Outside {
 /// The results that a caller wants besides the picture itself.
 struct RenderRequest {
   Channel channels = Channel::none;
+  std::shared_ptr<const ShownField> field{};  ///< of Channel::field
   WorkerPriority priority = WorkerPriority::normal;
   /// Only these pixels are wanted (CGPP 15.4.4); they come out as in the whole picture.
   std::optional<TileRect> region{};

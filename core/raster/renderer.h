@@ -14,6 +14,8 @@ Frame render_rasterized(const Scene& scene, const View& view, const Settings& se
                         Prepared& prepared, Progress& progress);
 PixelStory inspect_rasterized(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel,
                               Prepared& prepared, Progress& progress);
+/// One number of every pixel's story into `values`: of the fragment that is seen.
+void find_field_of_fragments(const FieldInputs& asked, Image<float>& values, Prepared& prepared, Progress& progress);
 /// Throws InputError for a view with a side that is too long for the rasterizer.
 void require_rasterized_size(const View& view);
 

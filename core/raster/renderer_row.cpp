@@ -51,6 +51,7 @@ RendererRow rasterizer_row() {
   return {.renderer = Renderer::rasterizer,
           .render = render_rasterized,
           .inspect = inspect_rasterized,
+          .find_field = find_field_of_fragments,
           .counts = fragment_counts,
           .fast_path = rasterized_fast_path,
           .left_out = left_out,

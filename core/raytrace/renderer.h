@@ -12,6 +12,8 @@ Frame render_traced(const Scene& scene, const View& view, const Settings& settin
                     Prepared& prepared, Progress& progress);
 PixelStory inspect_traced(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel,
                           Prepared& prepared, Progress& progress);
+/// One number of every pixel's story into `values`.
+void find_field_of_rays(const FieldInputs& asked, Image<float>& values, Prepared& prepared, Progress& progress);
 /// render_traced() with the samples of `plan` in place of those that the settings ask for.
 Frame render_planned(const Scene& scene, const View& view, const Settings& settings, const SamplingPlan& plan,
                      const RenderRequest& request, Prepared& prepared, Progress& progress);

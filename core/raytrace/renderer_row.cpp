@@ -51,6 +51,7 @@ RendererRow ray_tracer_row() {
   return {.renderer = Renderer::ray_tracer,
           .render = render_traced,
           .inspect = inspect_traced,
+          .find_field = find_field_of_rays,
           .counts = ray_counts,
           .fast_path = traced_fast_path,
           .left_out = left_out_by_rays,

@@ -27,6 +27,23 @@ std::optional<FieldValue> value_in(const fields::Row<E>& row, const E& event) {
   return row.present && !row.present(event) ? std::nullopt : row.read(event);
 }
 
+/// The answers of every type of event, in the order of EventData's alternatives.
+template <class Variant>
+struct OfAll;
+template <class... Events>
+struct OfAll<std::variant<Events...>> {
+  static constexpr std::array kinds{FieldList<Events>::kind...};
+  static std::vector<std::string_view> keys(std::string_view kind) {
+    std::vector<std::string_view> all;
+    const auto add = [&]<class E>(const E*) {
+      if (FieldList<E>::kind == kind)
+        for (const auto& row : FieldList<E>::rows) all.push_back(row.key);
+    };
+    (add(static_cast<const Events*>(nullptr)), ...);
+    return all;
+  }
+};
+
 struct SubjectText {
   std::string operator()(std::int64_t v) const { return fmt::format(" {}", v); }
   std::string operator()(const std::string& v) const { return " " + v; }
@@ -54,6 +71,25 @@ std::vector<EventField> event_fields(const EventData& data) {
       },
       data);
 }
+
+std::optional<FieldValue> event_field(const EventData& data, std::string_view key) {
+  return std::visit(
+      [&](const auto& event) -> std::optional<FieldValue> {
+        for (const auto& row : FieldList<decltype(event)>::rows)
+          if (row.key == key) return value_in(row, event);
+        return {};
+      },
+      data);
+}
+
+std::span<const std::string_view> event_kinds() { return OfAll<EventData>::kinds; }
+
+std::size_t event_kind_place(std::string_view kind) {
+  const auto kinds = event_kinds();
+  return static_cast<std::size_t>(std::find(kinds.begin(), kinds.end(), kind) - kinds.begin());
+}
+
+std::vector<std::string_view> field_keys(std::string_view kind) { return OfAll<EventData>::keys(kind); }
 
 std::string field_label(const EventField& field) {
   std::string label(field.label.empty() ? field.key : field.label);

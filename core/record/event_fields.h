@@ -1,5 +1,7 @@
 #pragma once
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -30,6 +32,17 @@ std::string_view event_kind(const EventData& data);
 /// All fields of an event in the order in which record/fields/ declares them; optional fields only where they are
 /// present. Tables in the window and files are made from this list, so that both show the same.
 std::vector<EventField> event_fields(const EventData& data);
+
+/// One of them; absent where this event has none of that key.
+std::optional<FieldValue> event_field(const EventData& data, std::string_view key);
+
+/// The kinds of events, in the order of EventData's alternatives, and where one of them stands there: at their number
+/// for a kind that is not among them.
+std::span<const std::string_view> event_kinds();
+std::size_t event_kind_place(std::string_view kind);
+
+/// The keys of the fields that events of a kind can have; empty for a kind that is not among them.
+std::vector<std::string_view> field_keys(std::string_view kind);
 
 /// The name of a field for people: "shading normal".
 std::string field_label(const EventField& field);

@@ -9,18 +9,22 @@ namespace ps {
 
 /// Kernels are templates over a Recorder. All three have the same members:
 ///   count(c, n)      adds to a counter
+///   at(x, y)         what follows belongs to that pixel
 ///   wants(x, y)      whether events of pixel (x, y) are collected
 ///   event(make)      collects make() (an event struct), a leaf of the tree
 ///   begin(make)      collects make() and makes it the parent of what follows, until end()
 ///   end(), end(make) the latter puts make() in the place of what begin() collected
 ///   collects()       whether events are kept at the moment
+/// The constants say whether it counts, whether it keeps events, and whether all that is drawn is one pixel.
 /// `make` is a callable, evaluated only where its result is kept, so that building an event has no cost elsewhere.
 
 /// Collects no event and compiles to no code.
 struct Silent {
   static constexpr bool counts = false;
   static constexpr bool records = false;
+  static constexpr bool one_pixel = false;
   void count(Counter, std::uint64_t = 1) {}
+  void at(int, int) {}
   static constexpr bool wants(int, int) { return false; }
   template <class Make>
   void event(Make&&) {}
@@ -36,8 +40,10 @@ struct Silent {
 struct CountingRecorder {
   static constexpr bool counts = true;
   static constexpr bool records = false;
+  static constexpr bool one_pixel = false;
   Counters counters;
   void count(Counter c, std::uint64_t n = 1) { counters[c] += n; }
+  void at(int, int) {}
   static constexpr bool wants(int, int) { return false; }
   template <class Make>
   void event(Make&&) {}
@@ -54,10 +60,12 @@ class PixelRecorder {
  public:
   static constexpr bool counts = true;
   static constexpr bool records = true;
+  static constexpr bool one_pixel = true;
   explicit PixelRecorder(Vec2i pixel) : pixel_(pixel) {}
 
   Counters counters;
   void count(Counter c, std::uint64_t n = 1) { counters[c] += n; }
+  void at(int, int) {}
   bool wants(int x, int y) const { return x == pixel_.x && y == pixel_.y; }
   Vec2i pixel() const { return pixel_; }
   /// Muted, it only counts: for work that must be repeated before the pixel's own begins.

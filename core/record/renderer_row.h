@@ -15,6 +15,7 @@
 
 namespace ps {
 
+struct FieldInputs;    // record/field_inputs.h
 struct ShaderListing;  // record/shader_listing.h
 
 /// A renderer, as everything above the renderers knows it: one row of the table in render/renderer_table.h. All
@@ -28,6 +29,9 @@ struct RendererRow {
   /// Events, colour, levels and counters of one pixel; verdict and ledger only where they are not made of the events.
   PixelStory (*inspect)(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel, Prepared& prepared,
                         Progress& progress) = nullptr;
+  /// One number of every pixel's story, by the kernels that inspect() runs, into an image of NaN. nullptr: it reports
+  /// its steps for one pixel at a time.
+  void (*find_field)(const FieldInputs& asked, Image<float>& values, Prepared& prepared, Progress& progress) = nullptr;
   /// The counters that both give; all others are absent from frames and stories.
   CounterSet counts;
   /// The code path that draws a whole picture, and why not a faster one.

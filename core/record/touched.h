@@ -38,11 +38,11 @@ class TouchRecorder {
  public:
   static constexpr bool counts = false;
   static constexpr bool records = false;
+  static constexpr bool one_pixel = false;
   explicit TouchRecorder(Touched& touched)
       : touched_(touched), object_pixel_(touched.objects.size()), light_pixel_(touched.lights.size()) {}
 
-  /// All that follows belongs to another pixel.
-  void next_pixel() { ++pixel_; }
+  void at(int, int) { ++pixel_; }
   void count(Counter, std::uint64_t = 1) {}
   static constexpr bool wants(int, int) { return false; }
   static constexpr bool collects() { return false; }

@@ -56,6 +56,7 @@ ChannelPicture channel_picture(const Frame& frame, ShownChannel channel, const S
   ChannelPicture result = row.picture ? row.picture(frame, settings) : heat_picture(frame, row, range);
   result.legend.title = row.label;
   result.legend.unit = row.unit;
+  if (row.finish) row.finish(frame, result);
   return result;
 }
 

@@ -33,7 +33,8 @@ enum class ShownChannel {
   stencil,
   environment,
   precision,
-  depth_gap
+  depth_gap,
+  field
 };
 
 /// The meaning of the colours of a channel picture.
@@ -88,6 +89,8 @@ struct ShownChannelRow {
   ChannelPicture (*picture)(const Frame& frame, const Settings& settings) = nullptr;
   /// Its numbers; nullptr: those of the heat map, NaN where there is none.
   ChannelFloats (*floats)(const Frame& frame) = nullptr;
+  /// Gives the picture a title of its own and marks in it; nullptr: none.
+  void (*finish)(const Frame& frame, ChannelPicture& picture) = nullptr;
 };
 /// One row for each ShownChannel, in its order.
 std::span<const ShownChannelRow> shown_channels();

@@ -14,7 +14,7 @@ std::span<const ShownChannelRow> shown_channels() {
                                overdraw_channel,   tests_channel,    mip_channel,         samples_channel,
                                shadow_channel,     hit_channel,      direction_channel,   nan_channel,
                                shadow_map_channel, stencil_channel,  environment_channel, precision_channel,
-                               depth_gap_channel};
+                               depth_gap_channel,  field_channel};
   return rows;
 }
 

@@ -1,10 +1,13 @@
 #include "render/render.h"
 
+#include <limits>
+
 #include "base/check.h"
 #include "base/stop.h"
 #include "frame/fast_kernels.h"
 #include "frame/working_scene.h"
 #include "image/image.h"
+#include "record/field_inputs.h"
 #include "record/story_to_world.h"
 #include "render/left_out.h"
 #include "render/precision_channels.h"
@@ -25,6 +28,23 @@ void take_counts(const RendererRow& row, Counters& counters) {
   counters.given = given;
 }
 
+void find_field(Frame& frame, const RendererRow& row, const WorkingScene& working, const RenderRequest& request,
+                Prepared& prepared, Progress& progress) {
+  const View& view = working.view();
+  frame.field = Image<float>(view.width, view.height, std::numeric_limits<float>::quiet_NaN());
+  frame.shown_field = request.field;
+  if (!request.field || !row.find_field) return;
+  const Settings& settings = working.settings();
+  const FieldInputs asked{working.scene(),
+                          view,
+                          settings,
+                          working.space,
+                          request.field->query,
+                          request.region.value_or(TileRect{0, 0, view.width, view.height}),
+                          {settings.threads, request.priority}};
+  row.find_field(asked, frame.field, prepared, progress);
+}
+
 }  // namespace
 
 Frame render(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
@@ -32,12 +52,15 @@ Frame render(const Scene& scene, const View& view, const Settings& settings, con
   require_image_size(view.width, view.height, "picture");
   const StopScope stop(&progress);
   RenderRequest plain = request;
-  plain.channels = without(without(request.channels, Channel::precision), Channel::depth_gap);
+  plain.channels = request.channels;
+  for (const Channel own : {Channel::precision, Channel::depth_gap, Channel::field})
+    plain.channels = without(plain.channels, own);
   const RendererRow& row = renderer_row(settings.renderer);
   const WorkingScene working(scene, view, settings, prepared);
   Frame frame = row.render(working.scene(), working.view(), working.settings(), plain, prepared, progress);
   working.to_world(frame);
   take_counts(row, frame.counters);
+  if (has(request.channels, Channel::field)) find_field(frame, row, working, request, prepared, progress);
   if (has(request.channels, Channel::precision))
     compare_with_double(frame, scene, view, settings, request, prepared, progress);
   if (has(request.channels, Channel::depth_gap))

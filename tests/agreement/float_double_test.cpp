@@ -40,6 +40,7 @@ class SelfHitRecorder {
  public:
   static constexpr bool counts = false;
   static constexpr bool records = false;
+  static constexpr bool one_pixel = false;
   void count(Counter, std::uint64_t = 1) {}
   static constexpr bool wants(int, int) { return false; }
   static constexpr bool collects() { return false; }

@@ -37,6 +37,7 @@ ps::Frame three_pixels() {
   frame.environment = Image<Vec3f>(3, 1, Vec3f(-1));
   frame.precision = Image<ps::PrecisionFault>(3, 1, ps::PrecisionFault::none);
   frame.depth_gap = Image<float>(3, 1, std::numeric_limits<float>::infinity());
+  frame.field = Image<float>(3, 1, std::numeric_limits<float>::quiet_NaN());
   frame.precision.at(1, 0) = ps::PrecisionFault::missed_hit;
   frame.depth_gap.at(1, 0) = 0.5f;
   frame.depth_gap.at(2, 0) = 4096;
@@ -93,6 +94,7 @@ TEST(ChannelPicture, NeedsNoMoreThanItsRowSays) {
     if (!has(row.needs, ps::Channel::environment)) frame.environment = {};
     if (!has(row.needs, ps::Channel::precision)) frame.precision = {};
     if (!has(row.needs, ps::Channel::depth_gap)) frame.depth_gap = {};
+    if (!has(row.needs, ps::Channel::field)) frame.field = {};
     const auto result = ps::channel_picture(frame, row.channel, {});
     EXPECT_EQ(result.levels.width(), 3) << row.key;
     EXPECT_EQ(result.legend.title, row.label);

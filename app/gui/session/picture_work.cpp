@@ -52,6 +52,7 @@ void PictureWork::request(const Document& document, const SceneTraits& traits, b
   const bool inside = picked.x >= 0 && picked.y >= 0 && picked.x < view.width && picked.y < view.height;
   if (!renders_b) renderers_[1]->cancel();
   const auto common = common_range(document);
+  const auto field = document.field ? std::make_shared<const ShownField>(*document.field) : nullptr;
   for (const Side side : both_sides) {
     InspectWorker& inspector = *inspectors_[index_of(side)];
     if (side == Side::b && !renders_b) {
@@ -61,8 +62,8 @@ void PictureWork::request(const Document& document, const SceneTraits& traits, b
     const auto& [settings, shown, slow] = side_of(document, side);
     const auto& asked = document.heat_range;  // of a side's false colours: what was asked for, else what both share
     PictureRequest request{
-        document.scene,      view, settings, shown, asked && asked->channel == shown ? asked->values : common,
-        document.view.region};
+        document.scene,       view, settings, shown, asked && asked->channel == shown ? asked->values : common,
+        document.view.region, field};
     if (inside)
       inspector.request({request, picked});
     else

@@ -36,6 +36,10 @@ void copy_enlarged(const Image<Rgb8>& pixels, const TileRect& place, int divisor
   }
 }
 
+bool same_field(const PictureRequest& a, const PictureRequest& b) {
+  return a.field == b.field || (a.field && b.field && *a.field == *b.field);
+}
+
 bool same_display(const PictureRequest& a, const PictureRequest& b) {
   return a.shown == b.shown && a.range == b.range && a.settings == b.settings;
 }
@@ -45,6 +49,7 @@ bool same_display(const PictureRequest& a, const PictureRequest& b) {
 bool same_render(const PictureRequest& a, const PictureRequest& b) {
   if (!(a.scene.revision() == b.scene.revision()) || !(a.view == b.view) || a.region != b.region || a.slow != b.slow)
     return false;
+  if (b.shown == ShownChannel::field && !same_field(a, b)) return false;
   if (a.settings == b.settings) return true;
   return std::all_of(option_table().begin(), option_table().end(), [&](const Option& option) {
     return option.effect == OptionEffect::display || option.get(a.settings) == option.get(b.settings);
@@ -178,6 +183,7 @@ void RenderWorker::render_coarse(const Run& run, Progress& progress) {
   view.height = (view.height + run.coarse_divisor - 1) / run.coarse_divisor;
   RenderRequest options;
   options.channels = shown_channel(run.request.shown).needs;
+  options.field = run.request.field;
   options.priority = WorkerPriority::background;
   if (const auto& region = run.request.region) {
     const int d = run.coarse_divisor;
@@ -201,6 +207,7 @@ void RenderWorker::render_full(const Run& run, Progress& progress) {
   }
   RenderRequest options;
   options.channels = run.channels;
+  options.field = run.request.field;
   options.priority = WorkerPriority::background;
   options.region = run.request.region;
   if (run.request.slow) return render_slow(run, options, progress);

@@ -15,6 +15,7 @@
 #include "gui/work/newest_job.h"
 #include "image/image.h"
 #include "options/settings.h"
+#include "record/field_query.h"
 #include "render/channel_picture.h"
 #include "render/render.h"
 #include "render/slow_motion.h"
@@ -28,9 +29,10 @@ struct PictureRequest {
   View view;
   Settings settings;
   ShownChannel shown = ShownChannel::colour;
-  std::optional<ValueRange> range;   ///< of a heat map; absent = the frame's own
-  std::optional<TileRect> region{};  ///< the only pixels that are wanted; absent = all
-  std::optional<SlowMotion> slow{};  ///< how far the picture is to be drawn; absent = whole
+  std::optional<ValueRange> range;            ///< of a heat map; absent = the frame's own
+  std::optional<TileRect> region{};           ///< the only pixels that are wanted; absent = all
+  std::shared_ptr<const ShownField> field{};  ///< of ShownChannel::field
+  std::optional<SlowMotion> slow{};           ///< how far the picture is to be drawn; absent = whole
 };
 
 enum class RenderState { idle, coarse, full, done, cancelled, failed };

@@ -27,6 +27,7 @@ Image<Rgb8> side_picture(const Document& document, Side side, const View& view, 
   const SideState& state = side_of(document, side);
   RenderRequest request;
   request.channels = shown_channel(state.show).needs;
+  if (document.field) request.field = std::make_shared<const ShownField>(*document.field);
   request.priority = WorkerPriority::background;
   const Frame frame = render(document.scene, view, state.settings, request, prepared, progress);
   return state.show == ShownChannel::colour ? display_frame(frame, state.settings)

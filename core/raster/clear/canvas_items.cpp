@@ -6,6 +6,7 @@
 #include "raster/clear/fill_canvas_shape.h"
 #include "raster/clear/lines/walk_line.h"
 #include "raster/clear/stepping_recorder.h"
+#include "record/field_recorder.h"
 #include "record/recorder.h"
 
 namespace ps::raster {
@@ -139,6 +140,8 @@ PS_INSTANTIATE(double, CountingRecorder)
 PS_INSTANTIATE(double, PixelRecorder)
 PS_INSTANTIATE(float, SteppingRecorder)
 PS_INSTANTIATE(double, SteppingRecorder)
+PS_INSTANTIATE(float, FieldRecorder)
+PS_INSTANTIATE(double, FieldRecorder)
 #undef PS_INSTANTIATE
 // NOLINTEND(bugprone-macro-parentheses)
 

@@ -10,6 +10,7 @@
 #include "raster/clear/coverage/of_triangle.h"
 #include "raster/clear/shade_fragment.h"
 #include "raster/clear/stepping_recorder.h"
+#include "record/field_recorder.h"
 
 namespace ps::raster {
 namespace {
@@ -34,7 +35,7 @@ class TriangleDrawer {
     const ScreenTriangle<Real>& triangle = *setup_.triangle;
     const TileRect& rect = target_.rect();
     const TileRect box = common_part(tested_box(inputs_, triangle), rect);
-    if constexpr (Recorder::records)
+    if constexpr (Recorder::one_pixel)
       if (step_.is_first() && target_.samples() == 1) report_if_missed(rect);
     if (is_empty(box)) return;
     if (target_.samples() > 1) return draw_multisampled(box);
@@ -48,6 +49,7 @@ class TriangleDrawer {
   void cover(int column, int row) { cover(column, row, setup_.edges.at(column, row)); }
   /// A covered sample: depth test, shading, write, as far as the step goes.
   void cover(int column, int row, const std::array<std::int64_t, 3>& values) {
+    recorder_.at(column, row);
     recorder_.count(Counter::fragments);
     if (target_.wants(Channel::overdraw) && step_.is_first()) ++target_.frame().overdraw.at(column, row);
     const Fragment<Real> fragment = make_fragment(inputs_, setup_, column, row, values);
@@ -85,6 +87,7 @@ class TriangleDrawer {
   void shade_winner(const Winner<Real>& winner) {
     if (!is_set_up_for(winner.triangle)) set_up(winner.triangle);
     const Fragment<Real>& fragment = winner.fragment;
+    recorder_.at(fragment.column, fragment.row);
     recorder_.begin([&] {
       const Real depth = target_.depth(fragment.column, fragment.row);
       return event_of_pass(fragment, setup_.edges.at(fragment.column, fragment.row), FragmentEvent::Depth::passed,
@@ -163,6 +166,7 @@ class TriangleDrawer {
       for (int column = box.x0; column < box.x1; ++column) cover_samples(sub, column, row);
   }
   void cover_samples(const SubSampleEdges& sub, int column, int row) {
+    recorder_.at(column, row);
     const auto pattern = sample_pattern(inputs_.grid.samples);
     const auto middle = setup_.edges.at(column, row);
     count_tests(Counter::coverage_tests, pattern.size(), {column, row, column + 1, row + 1});
@@ -341,6 +345,8 @@ PS_INSTANTIATE(double, CountingRecorder)
 PS_INSTANTIATE(double, PixelRecorder)
 PS_INSTANTIATE(float, SteppingRecorder)
 PS_INSTANTIATE(double, SteppingRecorder)
+PS_INSTANTIATE(float, FieldRecorder)
+PS_INSTANTIATE(double, FieldRecorder)
 #undef PS_INSTANTIATE
 // NOLINTEND(bugprone-macro-parentheses)
 

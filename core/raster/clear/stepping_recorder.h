@@ -17,6 +17,7 @@ class SteppingRecorder {
  public:
   static constexpr bool counts = true;
   static constexpr bool records = false;
+  static constexpr bool one_pixel = false;
   explicit SteppingRecorder(std::uint64_t limit) : limit_(limit) {}
 
   void count(Counter c, std::uint64_t n = 1) {
@@ -26,6 +27,7 @@ class SteppingRecorder {
     }
     counters[c] += n;
   }
+  void at(int, int) {}
   static constexpr bool wants(int, int) { return false; }
   template <class Make>
   void event(Make&& make) {

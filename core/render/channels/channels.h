@@ -14,6 +14,7 @@ extern const ShownChannelRow depth_channel, overdraw_channel, tests_channel, mip
 extern const ShownChannelRow normal_channel, direction_channel, barycentric_channel, uv_channel, facing_channel;
 extern const ShownChannelRow triangle_channel, object_channel, hit_channel;
 extern const ShownChannelRow precision_channel, depth_gap_channel;
+extern const ShownChannelRow field_channel;
 
 inline constexpr Rgb8 nothing_seen{0, 0, 0};
 

@@ -87,7 +87,8 @@ std::string value_then(const std::vector<FieldText>& before, const FieldText& no
 
 }  // namespace
 
-void event_numbers(const Event& event, const Scene& scene, const Event* before) {
+std::optional<ClickedNumber> event_numbers(const Event& event, const Scene& scene, const Event* before) {
+  std::optional<ClickedNumber> clicked;
   const auto fields = event_fields(event.data);
   const auto texts = event_table(event, scene);  // the same fields in words
   const auto then = before ? event_table(*before, scene) : std::vector<FieldText>{};
@@ -134,12 +135,22 @@ void event_numbers(const Event& event, const Scene& scene, const Event* before) 
         place(left + names + column * static_cast<float>(k + 1) - width);
         show_text(text);
         farthest = std::max(farthest, ImGui::GetItemRectMax().x);
+        const bool vector = numbers->size() > 1;
+        controls().record(fmt::format("number/{}{}", fields[i].key, vector ? fmt::format(".{}", k) : ""), text);
+        if (ImGui::IsItemHovered()) {
+          ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+          const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+          ImGui::GetWindowDrawList()->AddLine({low.x, high.y}, high, colour_u32(palette().text_quiet));
+        }
+        if (ImGui::IsItemClicked()) clicked = {std::string(fields[i].key), vector ? static_cast<int>(k) : -1};
+        tooltip(fmt::format("{}\nClick: shows this number for every pixel.", full_number((*numbers)[k])));
       }
     }
-    if (texts[i].exact != texts[i].value) tooltip(texts[i].exact);
+    if (!numbers && texts[i].exact != texts[i].value) tooltip(texts[i].exact);
   }
   const float edge = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
   controls().record("event-numbers", farthest <= edge ? "all in sight" : "cut");
+  return clicked;
 }
 
 }  // namespace ps::gui

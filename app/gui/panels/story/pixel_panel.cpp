@@ -1,5 +1,7 @@
 #include "gui/panels/story/pixel_panel.h"
 
+#include "gui/panels/story/shown_field.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -85,6 +87,7 @@ void full_story(Session& session, PixelPanelState& state, Side side, const Pixel
   if (section("events", "What happened", state.events_open, event_count(story)))
     if (const auto clicked = story_tree_view(name, story, session.scene(), tree, pinned))
       select_event(session, side, *clicked);
+  if (const auto asked = std::exchange(tree.asked, {})) show_field(session, *asked);
   if (state.events_open) not_reported(story, name);
   if (section("sum", "The colour as a sum", state.sum_open))
     if (const int clicked = ledger_view(name, story, tree.selected, pinned); clicked >= 0)
@@ -139,6 +142,7 @@ void short_story(Session& session, PixelPanelState& state, Side side, const Pixe
     }
   if (section(name + "/events", "What happened", state.both_events_open[index], event_count(story)))
     if (const auto clicked = story_tree_view(name, story, session.scene(), tree)) select(*clicked);
+  if (const auto asked = std::exchange(tree.asked, {})) show_field(session, *asked);
   if (state.both_events_open[index]) not_reported(story, name);
   ImGui::PopID();
 }
@@ -279,6 +283,7 @@ void PixelPanel::story() {
   const auto copy = [this](const std::string& text) { host_.copy(text, "Copied to the clipboard."); };
   const NameScope scope("pixel");
   const auto picked = session.pixel();
+  shown_field_bar(session, session.document().picked, state.condition);
   if (!picked) {
     nothing_picked(session);
     return;

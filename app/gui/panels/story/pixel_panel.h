@@ -25,6 +25,7 @@ struct PixelPanelState {
   PinState pin;
   bool events_open = true, sum_open = true, work_open = false, rows_open = false;
   CanvasRowsState rows;
+  std::string condition;  ///< typed, of the number that the pictures show
   std::array<bool, 2> both_events_open{false, false}, both_sum_open{true, true};  ///< in the view of both
 };
 

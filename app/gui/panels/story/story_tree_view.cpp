@@ -36,7 +36,11 @@ struct TreeDrawing {
     const int before = pinned ? pinned->step_of(index).before : -1;
     return before < 0 ? nullptr : &pinned->before->events[static_cast<std::size_t>(before)];
   }
-  void numbers(int index) const { event_numbers(event(index), scene, then(index)); }
+  void numbers(int index) {
+    const NameScope names(fmt::format("{}/{}", name, index));
+    if (const auto number = event_numbers(event(index), scene, then(index)))
+      state.asked = field_query(story.events, index, number->key, number->component);
+  }
 
   /// The parts without room in the row, a line each.
   void details(int index) const {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "record/field_query.h"
 #include "record/story.h"
 #include "scene/scene.h"
 
@@ -13,9 +14,10 @@ inline constexpr int events_per_page = 200;
 
 /// State of a tree of events.
 struct StoryTreeState {
-  int page = 0;         ///< of a long story
-  bool reveal = false;  ///< the selected event shall be brought into view
-  int selected = -1;    ///< that was drawn last
+  int page = 0;                     ///< of a long story
+  bool reveal = false;              ///< the selected event shall be brought into view
+  int selected = -1;                ///< that was drawn last
+  std::optional<FieldQuery> asked;  ///< the number that was clicked, to be shown for every pixel
   std::shared_ptr<const PixelStory> story;
 
   /// Before it is drawn: an event that was selected elsewhere comes into view; one that is the same event in a newer

@@ -1,0 +1,92 @@
+#include "gui/panels/story/shown_field.h"
+
+#include <fmt/format.h>
+
+#include "base/check.h"
+#include "base/number_text.h"
+#include "gui/widgets/text_field.h"
+#include "render/renderer_table.h"
+
+namespace ps::gui {
+namespace {
+
+/// Marks what a condition asks for as soon as it can be read.
+void mark(Session& session, const std::string& typed) {
+  std::optional<FieldCondition> condition;
+  try {
+    if (!typed.empty()) condition = parse_field_condition(typed);
+  } catch (const InputError&) {
+    return;  // half typed
+  }
+  session.edit("mark pixels", "mark", [&](Document& document) { document.field->condition = condition; });
+}
+
+void show_colours(Session& session) {
+  session.edit("show the colours", "channel", [](Document& document) {
+    for (SideState* side : {&document.a, &document.b})
+      if (side->show == ShownChannel::field) side->show = ShownChannel::colour;
+    document.field.reset();
+  });
+}
+
+/// The pixels that meet the condition: how many, and the first after the picked one in reading order, or of all.
+struct Met {
+  std::size_t count = 0;
+  std::optional<Vec2i> next;
+};
+Met find_met(const Image<float>& values, const FieldCondition& condition, std::optional<Vec2i> after) {
+  Met met;
+  std::optional<Vec2i> first;
+  for (int y = 0; y < values.height(); ++y)
+    for (int x = 0; x < values.width(); ++x) {
+      if (!condition.met_by(values.at(x, y))) continue;
+      ++met.count;
+      if (!first) first = Vec2i(x, y);
+      const bool later = after && (y > after->y || (y == after->y && x > after->x));
+      if (later && !met.next) met.next = Vec2i(x, y);
+    }
+  if (!met.next) met.next = first;
+  return met;
+}
+
+/// How many meet it, and the way to the next.
+void count_and_next(Session& session, Side side, const FieldCondition& condition) {
+  const auto result = session.renderer(side).result();
+  if (!result || result->frame.field.empty() || !result->frame.shown_field ||
+      result->frame.shown_field->query != session.document().field->query)
+    return quiet_text("being computed");
+  const Met met = find_met(result->frame.field, condition, session.pixel());
+  value_text("count", fmt::format("{} pixels", with_thousands(std::to_string(met.count))));
+  same_line_if_room(button_width("Next"));
+  if (button("next", "Next", Emphasis::plain,
+             {.tooltip = "To the next pixel that meets it.", .disabled = met.next ? "" : "No pixel meets it."}))
+    session.set_pixel(met.next);
+}
+
+}  // namespace
+
+void show_field(Session& session, const FieldQuery& query) {
+  session.edit("show " + field_query_words(query), "channel", [&](Document& document) {
+    document.field = ShownField{query, {}};
+    document.a.show = document.b.show = ShownChannel::field;
+  });
+}
+
+void shown_field_bar(Session& session, Side side, std::string& condition) {
+  const auto& field = session.document().field;
+  if (!field || session.shown(side) != ShownChannel::field) return;
+  const NameScope names("field");
+  value_paragraph("shown", "In the pictures: " + field_query_words(field->query), {Face::bold});
+  if (!renderer_row(session.settings(side).renderer).find_field)
+    quiet_text("This renderer reports its steps for one pixel at a time, so it shows no number for all.");
+  if (text_field("mark", condition, "Mark pixels: < 0.001", {.width = px(200)}).changed) mark(session, condition);
+  same_line_if_room(button_width("Colours"));
+  if (button("close", "Colours", Emphasis::plain, {.tooltip = "The pictures show colours again."})) {
+    condition.clear();
+    return show_colours(session);
+  }
+  if (field->condition) count_and_next(session, side, *field->condition);
+  ImGui::Separator();
+}
+
+}  // namespace ps::gui
