@@ -36,33 +36,6 @@ struct ChartArguments {
   bool linear = false, as_used = false;
 };
 
-/// Throws InputError for a sweep none of whose options can act. Of those that are asked for by one name, some may be
-/// idle.
-void refuse_idle(const std::vector<std::string>& sweeps, std::span<const SweepAxis> axes, const Settings& base,
-                 const SceneTraits& traits) {
-  for (const std::string& sweep : sweeps) {
-    const std::vector<SweepAxis> own = parse_sweep(sweep);
-    std::optional<std::string> reason;
-    const bool acts = std::any_of(own.begin(), own.end(), [&](const SweepAxis& axis) {
-      const auto idle = idle_axis(axis, axes, base, traits);
-      if (idle && !reason) reason = idle;
-      return !idle;
-    });
-    if (!acts && reason) throw InputError(fmt::format("--sweep {}: {}", sweep, *reason));
-  }
-}
-
-/// From the full to the reduced model, as far as `needs --model` reduces it.
-void sweep_model(ChartRequest& request, const Settings& scene_start) {
-  StudyControl control;
-  forward_interrupts(control.progress());
-  ModelRequest model;
-  model.scene = request.scene;
-  model.views = {request.view};
-  model.base = request.base;
-  request.points = model_sweep(find_model_needs(model, control), request.base, scene_start);
-}
-
 ChartRequest make_request(const ChartArguments& arguments) {
   ChartRequest request;
   request.shard = parse_shard(arguments.shard);
@@ -74,8 +47,7 @@ ChartRequest make_request(const ChartArguments& arguments) {
   request.across = parse_chart_across(arguments.across);
   request.repeats = arguments.repeats;
   request.folder = arguments.output;
-  const bool model =
-      std::find(arguments.sweeps.begin(), arguments.sweeps.end(), model_sweep_key) != arguments.sweeps.end();
+  bool model = std::find(arguments.sweeps.begin(), arguments.sweeps.end(), model_sweep_key) != arguments.sweeps.end();
   if (model && arguments.sweeps.size() > 1)
     throw InputError(fmt::format("--sweep {}: the model is swept alone", model_sweep_key));
   std::vector<SweepAxis> axes;
@@ -83,17 +55,24 @@ ChartRequest make_request(const ChartArguments& arguments) {
     for (const std::string& sweep : arguments.sweeps)
       for (SweepAxis& axis : parse_sweep(sweep)) axes.push_back(std::move(axis));
   const Document document = load_document(arguments.scene);
-  if (axes.empty() && !model && !document.layout.sweep.empty()) axes = parse_sweep_text(document.layout.sweep);
+  if (arguments.sweeps.empty() && !document.layout.sweep.empty()) {
+    axes = parse_sweep_text(document.layout.sweep);
+    model = document.layout.sweep == model_sweep_key;
+  }
   request.scene = document.scene;
   request.scene.name = document.scene_name;
   request.view = view_of(document);
   request.base = document.a.settings;
   if (model) {
-    sweep_model(request, settings_for(document.base));
+    StudyControl control;
+    forward_interrupts(control.progress());
+    request.points = model_sweep(request, settings_for(document.base), control);
     return request;
   }
   const SceneTraits traits = scene_traits(request.scene);
-  refuse_idle(arguments.sweeps, axes, request.base, traits);
+  for (const std::string& sweep : arguments.sweeps)  // of options that are asked for by one name, some may be idle
+    if (const auto idle = idle_axes_all(parse_sweep(sweep), axes, request.base, traits))
+      throw InputError(fmt::format("--sweep {}: {}", sweep, *idle));
   for (const std::string& sentence : idle_axes(axes, request.base, traits)) fmt::print(stderr, "{}\n", sentence);
   request.absent = absent_renderers(axes);
   request.points = sweep_points(axes, request.base, settings_for(document.base), traits);

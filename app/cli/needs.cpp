@@ -64,8 +64,7 @@ void print_text(const Document& document, const Needs& needs) {
     if (share.used)
       fmt::print("{:<30} {:>14.4g} {:>11} {:>10.1f}%\n", share.feature.label, share.increase,
                  share.cost_differs ? fmt::format("{:.1f}%", 100 * share.cost_share) : "noise", 100 * share.work_share);
-  for (const FeatureShare& share : needs.shares)
-    if (!share.used) fmt::print("{}\n", needs_free_sentence(share));
+  if (const std::string unused = unused_sentence(needs.shares); !unused.empty()) fmt::print("{}\n", unused);
   fmt::print("\n{:<30} {:>14} {:>23}\n", "tried", "error added", "work");
   for (const NeedsStep& step : needs.trail)
     fmt::print("{:<30} {:>14.4g} {:>23}{}\n", step.change, step.increase, step.work, step.accepted ? "  taken" : "");

@@ -153,7 +153,7 @@ int run_model_needs(const Document& document, const ModelArguments& arguments) {
   request.tolerance = arguments.tolerance;
   const bool shown = isatty(STDERR_FILENO) != 0;
   const ModelNeeds needs = find_model_needs(request, control, [&](const StudyStatus& status) {
-    if (shown) fmt::print(stderr, "\r{} pictures drawn   ", status.done);
+    if (shown) fmt::print(stderr, "\r{} of {} parts weighed   ", status.done, status.total);
   });
   if (shown) fmt::print(stderr, "\n");
   if (!arguments.sheet.empty())

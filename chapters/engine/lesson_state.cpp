@@ -130,7 +130,7 @@ bool read_state_line(const BlockLine& line, LessonState& state) {
   else if (line.word == "stage")
     state.stage = parse_stage(rest);
   else if (line.word == "sweep") {
-    set_part(state.parts, "sweep", sweep_text(parse_sweep_text(rest)));
+    set_part(state.parts, "sweep", rest == model_sweep_key ? std::string(rest) : sweep_text(parse_sweep_text(rest)));
     state.stage = tool_names::chart;
   } else if (line.word == "experiment") {
     set_part(state.parts, "experiment", find_stability_experiment(rest).key);

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "base/check.h"
+
 namespace ps {
 namespace {
 
@@ -17,7 +19,7 @@ std::string within_sentence(std::string_view label) {
 
 }  // namespace
 
-std::string caption_words(const Option& option, const Settings& settings) {
+std::string setting_words(const Option& option, const Settings& settings) {
   const std::string label = within_sentence(option.label);
   if (option.key == "listing-bug") return settings.listing_bug == 0 ? "without the bug" : "with the bug";
   switch (option.kind) {
@@ -33,11 +35,34 @@ std::string caption_words(const Option& option, const Settings& settings) {
   return {};
 }
 
+std::string setting_words(std::string_view assignment) {
+  const Option* option = find_option(assignment.substr(0, assignment.find('=')));
+  if (!option || assignment.find('=') == std::string_view::npos) return std::string(assignment);
+  Settings settings;
+  try {
+    parse_assignment(assignment, settings);
+  } catch (const InputError&) {
+    return std::string(assignment);
+  }
+  return setting_words(*option, settings);
+}
+
+std::string settings_in_words(std::string_view text, std::string_view separator) {
+  std::string words;
+  while (true) {
+    const auto end = text.find(separator);
+    words += setting_words(text.substr(0, end));
+    if (end == std::string_view::npos) return words;
+    words += separator;
+    text.remove_prefix(end + separator.size());
+  }
+}
+
 std::string difference_words(const Settings& of, const Settings& other) {
   std::string words;
   for (const Option& option : option_table())
     if (option.get(of) != option.get(other))
-      words += fmt::format("{}{}", words.empty() ? "" : ", ", caption_words(option, of));
+      words += fmt::format("{}{}", words.empty() ? "" : ", ", setting_words(option, of));
   return words;
 }
 

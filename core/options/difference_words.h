@@ -1,13 +1,19 @@
 #pragma once
 #include <string>
+#include <string_view>
 
 #include "options/option.h"
 #include "options/settings.h"
 
 namespace ps {
 
-/// One setting as it reads in a caption: "shading: flat", "without highlights", "reflection depth 3".
-std::string caption_words(const Option& option, const Settings& settings);
+/// One setting as people read it: "shading: flat", "without highlights", "reflection depth 3".
+std::string setting_words(const Option& option, const Settings& settings);
+/// That of the assignment "shading=flat". Text that is not such an assignment comes back as it is.
+std::string setting_words(std::string_view assignment);
+/// Every assignment of a list in setting_words(); the parts are separated by `separator`, as in "double,
+/// self-hit=offset".
+std::string settings_in_words(std::string_view text, std::string_view separator = ", ");
 
 /// The settings of `of` that `other` does not have, in table order: "ray tracer, shading: flat, without highlights,
 /// reflection depth 3"; empty if they are equal. A planted bug is not named, since students are to find it.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/sentence.h"
 #include "study/chart_front.h"
 #include "study/chart_style.h"
 
@@ -258,10 +259,9 @@ class Writer {
   /// "A, B and C"
   std::string list(const Points& points, std::string_view last) const {
     if (points.size() > most_named) return fmt::format("{} points", points.size());
-    std::string text;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      text += (i == 0 ? "" : i + 1 == points.size() ? fmt::format(" {} ", last) : std::string(", ")) + name(*points[i]);
-    return text;
+    std::vector<std::string> names;
+    for (const ChartPoint* point : points) names.push_back(name(*point));
+    return listed(names, last);
   }
 
   bool cheaper(const ChartPoint& a, const ChartPoint& b) const { return surely_cheaper(chart_, a, b); }
@@ -294,10 +294,6 @@ class Writer {
   void claim_all(Kind kind, const ChartPoint& first) {
     for (const ChartPoint* point : points_)
       if (point != &first) claim(kind, first, *point);
-  }
-  static std::string begun_large(std::string text) {
-    if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    return text;
   }
 
   const Chart& chart_;

@@ -7,8 +7,11 @@
 
 #include "frame/display_frame.h"
 #include "options/renderer_kind.h"
+#include "study/model/held_pictures.h"
+#include "study/model/model_needs.h"
 #include "study/needs_truth.h"
 #include "study/same_machinery.h"
+#include "study/study_frame.h"
 #include "study/view_pixels.h"
 #include "study/worst_tile.h"
 
@@ -70,9 +73,7 @@ class Trial {
   double comparing(const Settings& settings, const Compare& compare) {
     const View small = smaller(view_, larger_part, least_larger);
     Prepared prepared;
-    RenderRequest how;
-    how.priority = priority_;
-    const Frame frame = render(scene_, small, settings, how, prepared, control_.progress());
+    const Frame frame = study_frame(scene_, small, settings, control_, priority_, prepared);
     const MeasuredPicture picture{display_frame(frame, settings), frame.colour};
     const double start = clock_();
     compare(picture);
@@ -96,11 +97,9 @@ class Trial {
   }
 
   double seconds(const View& view, const Settings& settings, Prepared& prepared) {
-    control_.wait_here();
-    RenderRequest how;
-    how.priority = priority_;
+    control_.wait_here();  // not within what is timed
     const double start = clock_();
-    render(scene_, view, settings, how, prepared, control_.progress());
+    study_frame(scene_, view, settings, control_, priority_, prepared);
     return clock_() - start;
   }
 
@@ -191,6 +190,17 @@ NeedsEstimate estimate_needs(const NeedsRequest& request, StudyControl& control,
   return estimate;
 }
 
+StudyEstimate estimate_model(const ModelRequest& request, StudyControl& control, const Clock& clock) {
+  constexpr int rounds = 4;  // the full pictures, what they show, and steps that are tried
+  const View& view = request.views.front();
+  Trial trial(request.scene, view, request.priority, control, clock);
+  StudyEstimate estimate;
+  estimate.pictures = rounds * 2 * static_cast<int>(request.views.size());
+  for (const auto& by : {model::HeldPictures::by_rays, model::HeldPictures::by_fragments})
+    estimate.seconds += rounds * static_cast<double>(request.views.size()) * trial.seconds_of(by(request.base));
+  return estimate;
+}
+
 std::string about_seconds(double seconds) {
   if (seconds < 1) return "under a second";
   if (seconds < 10) return fmt::format("about {:.0f} s", seconds);
@@ -198,6 +208,8 @@ std::string about_seconds(double seconds) {
   if (seconds < 5400) return fmt::format("about {:.0f} min", seconds / 60);
   return fmt::format("about {:.1f} h", seconds / 3600);
 }
+
+std::string at_least(double seconds) { return seconds < 1 ? "about a second" : "at least " + about_seconds(seconds); }
 
 std::string estimate_text(const StudyEstimate& estimate) {
   return fmt::format("{}, {} picture{}", about_seconds(estimate.seconds), estimate.pictures,

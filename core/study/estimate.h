@@ -4,6 +4,8 @@
 
 namespace ps {
 
+struct ModelRequest;
+
 /// What a study will take, before it starts.
 struct StudyEstimate {
   int pictures = 0;    ///< that are rendered for people to see: points of a chart, or pictures tried
@@ -23,8 +25,14 @@ struct NeedsEstimate {
 };
 NeedsEstimate estimate_needs(const NeedsRequest& request, StudyControl& control, const Clock& clock = steady_seconds);
 
+/// The least that find_model_needs() takes: the full pictures, what they show, and the first steps that are tried. Made
+/// as estimate_chart().
+StudyEstimate estimate_model(const ModelRequest& request, StudyControl& control, const Clock& clock = steady_seconds);
+
 /// "about 40 s", "about 3 min", "under a second".
 std::string about_seconds(double seconds);
+/// "at least about 40 s"; below a second "about a second".
+std::string at_least(double seconds);
 /// "about 40 s, 20 pictures"
 std::string estimate_text(const StudyEstimate& estimate);
 

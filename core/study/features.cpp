@@ -89,7 +89,11 @@ Settings without(const Feature& feature, const Settings& settings) {
 }
 
 std::optional<IdleReason> unused_reason(const Feature& feature, const Settings& settings, const SceneTraits& traits) {
-  if (const auto reason = inactive_reason(row(feature.option), settings, traits)) return reason;
+  const Option& option = row(feature.option);
+  if (const auto reason = inactive_reason(option, settings, traits)) return reason;
+  if (option.kind == OptionKind::choice)  // such as traced shadows of a rasterizer
+    if (const Choice& choice = chosen(option, settings); choice.inactive)
+      if (const auto reason = choice.inactive(settings, traits)) return reason;
   if (without(feature, settings) == settings) return "it is off already";
   return {};
 }

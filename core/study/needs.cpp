@@ -11,6 +11,7 @@
 #include "options/renderer_kind.h"
 #include "study/needs_truth.h"
 #include "study/same_machinery.h"
+#include "study/study_frame.h"
 #include "study/timing.h"
 #include "study/worst_tile.h"
 
@@ -82,10 +83,7 @@ class Search {
   };
 
   Rendered picture_of(const Settings& settings) {
-    control_.wait_here();
-    RenderRequest how;
-    how.priority = request_.priority;
-    const Frame frame = render(request_.scene, request_.view, settings, how, prepared_, control_.progress());
+    const Frame frame = study_frame(request_.scene, request_.view, settings, control_, request_.priority, prepared_);
     const auto work = counted_work(frame.counters);
     if (!work)
       throw InputError(fmt::format("renderer: found {}, which counts no work; expected one whose work can be compared",
@@ -218,12 +216,6 @@ class Search {
 };
 
 }  // namespace
-
-std::string needs_free_sentence(const FeatureShare& share) {
-  const bool asks = share.reason && share.reason->kind() == IdleReason::Kind::setting;
-  return fmt::format("{} can be left out at no loss: {}{}.", share.feature.label, asks ? "the option " : "",
-                     text_of(share.reason));
-}
 
 Needs find_needs(const NeedsRequest& request, StudyControl& control,
                  const std::function<void(const Needs&, const StudyStatus&)>& update) {

@@ -39,9 +39,6 @@ struct FeatureShare {
 /// Is the feature needed, by the one measure of sentence and advice?
 inline bool is_needed(const FeatureShare& share, double tolerance) { return share.used && share.increase > tolerance; }
 
-/// Why a feature that is not used is free to drop.
-std::string needs_free_sentence(const FeatureShare& share);
-
 /// One step of the search.
 struct NeedsStep {
   std::string change;   ///< "shadows=none"

@@ -1,8 +1,13 @@
 #include "study/needs_words.h"
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/sentence.h"
 
 namespace ps {
 namespace {
@@ -10,19 +15,6 @@ namespace {
 constexpr double still_hard_to_see = 0.1, still_visible = 0.25;
 
 using Words = std::vector<std::string>;
-
-/// "a, b and c"
-std::string list(const Words& words, std::string_view last = "and") {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == words.size() ? fmt::format(" {} ", last) : std::string(", ")) + words[i];
-  return text;
-}
-
-std::string begun_large(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text;
-}
 
 /// "nothing to reflect or refract and no textures"
 std::string absent_words(const Needs& needs) {
@@ -34,8 +26,8 @@ std::string absent_words(const Needs& needs) {
     else
       verbs.emplace_back(share.feature.verb);
   }
-  if (!verbs.empty()) others.insert(others.begin(), "nothing to " + list(verbs, "or"));
-  return list(others);
+  if (!verbs.empty()) others.insert(others.begin(), "nothing to " + listed(verbs, "or"));
+  return listed(others);
 }
 
 }  // namespace
@@ -60,16 +52,30 @@ std::string needs_sentence(std::string_view scene_name, const Needs& needs) {
       off.push_back(noun);
   }
   std::string text = needed.empty() ? fmt::format("{} needs none of its features.", scene_subject(scene_name))
-                                    : fmt::format("{} needs {}.", scene_subject(scene_name), list(needed));
+                                    : fmt::format("{} needs {}.", scene_subject(scene_name), listed(needed));
   const std::string absent = absent_words(needs);
   if (!spare.empty() && !absent.empty())
-    text += fmt::format(" It can do without {}; it has {}.", list(spare), absent);
+    text += fmt::format(" It can do without {}; it has {}.", listed(spare), absent);
   else if (!spare.empty())
-    text += fmt::format(" It can do without {}.", list(spare));
+    text += fmt::format(" It can do without {}.", listed(spare));
   else if (!absent.empty())
     text += fmt::format(" It has {}.", absent);
-  if (!off.empty()) text += fmt::format(" With these settings unused: {}.", list(off));
+  if (!off.empty()) text += fmt::format(" With these settings unused: {}.", listed(off));
   return text;
+}
+
+std::string unused_sentence(std::span<const FeatureShare> shares) {
+  std::vector<std::pair<std::string, Words>> reasons;  // in the order of their first feature
+  for (const FeatureShare& share : shares) {
+    if (share.used) continue;
+    const std::string reason = text_of(share.reason);
+    auto same = std::find_if(reasons.begin(), reasons.end(), [&](const auto& one) { return one.first == reason; });
+    if (same == reasons.end()) same = reasons.insert(same, {reason, {}});
+    same->second.emplace_back(share.feature.noun);
+  }
+  Words parts;
+  for (const auto& [reason, nouns] : reasons) parts.push_back(fmt::format("{} ({})", listed(nouns), reason));
+  return parts.empty() ? "" : fmt::format("Not in use: {}.", fmt::join(parts, "; "));
 }
 
 std::string keep_sentence() {

@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,10 @@ std::string scene_subject(std::string_view scene_name);
 /// vertex normals; it has nothing to reflect or refract. Textures are off." A feature is needed if is_needed() says so.
 /// Empty until every feature was tried.
 std::string needs_sentence(std::string_view scene_name, const Needs& needs);
+
+/// The features that are not used, those with the same reason together: "Not in use: textures (the scene has no
+/// texture); shadows and highlights (needs lighting = on)." Empty where all are used.
+std::string unused_sentence(std::span<const FeatureShare> shares);
 
 /// Why the advice is to keep the settings.
 std::string keep_sentence();

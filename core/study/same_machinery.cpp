@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/check.h"
+#include "options/renderer_kind.h"
 
 namespace ps {
 namespace {
@@ -46,6 +47,10 @@ std::optional<Mismatch> find_mismatch(std::span<const Settings> settings, const 
   return {};
 }
 
+bool searches_embree(const Settings& settings) {
+  return sends_rays(settings.renderer) && settings.accelerator == Accelerator::embree;
+}
+
 }  // namespace
 
 TimedSettings on_same_machinery(std::span<const Settings> settings, std::span<const std::string> labels,
@@ -76,6 +81,8 @@ TimedSettings on_same_machinery(std::span<const Settings> settings, std::span<co
   timed.reason = fmt::format("all on scalar code{}, because of '{}': {}",
                              driver ? " beside the draw calls of the graphics driver" : "", labels[mismatch->slower],
                              mismatch->reason);
+  if (std::any_of(settings.begin(), settings.end(), [](const Settings& one) { return searches_embree(one); }))
+    timed.reason += "; Embree searches its tree by SIMD code of its own";
   return timed;
 }
 

@@ -310,7 +310,7 @@ std::string sweep_text(std::span<const SweepAxis> axes) {
 }
 
 std::vector<SweepAxis> parse_sweep_text(std::string_view text) {
-  if (text == no_axes) return {};
+  if (text == no_axes || text == model_sweep_key) return {};
   if (text.find(';') == std::string_view::npos) return parse_sweep(text);
   std::vector<SweepAxis> axes;
   for (std::size_t from = 0; from <= text.size();) {
@@ -356,6 +356,17 @@ std::optional<std::string> idle_axis(const SweepAxis& axis, std::span<const Swee
   if (acts_somewhere(axis, all, traits)) return {};
   return fmt::format("{} changes nothing here: {}.", axis.option->label,
                      inactive_reason(*axis.option, all.front(), traits)->text());
+}
+
+std::optional<std::string> idle_axes_all(std::span<const SweepAxis> own, std::span<const SweepAxis> axes,
+                                         const Settings& base, const SceneTraits& traits) {
+  std::optional<std::string> first;
+  for (const SweepAxis& axis : own) {
+    const auto idle = idle_axis(axis, axes, base, traits);
+    if (!idle) return {};
+    if (!first) first = idle;
+  }
+  return first;
 }
 
 std::vector<std::string> idle_axes(std::span<const SweepAxis> axes, const Settings& base, const SceneTraits& traits) {

@@ -34,10 +34,13 @@ std::span<const NamedSweep> named_sweeps();
 /// The axes of a named sweep, without renderers that this machine cannot run, or the one axis that `text` describes.
 std::vector<SweepAxis> parse_sweep(std::string_view text);
 
+/// The sweep over the model in place of options, from full to reduced (study/model/model_sweep.h); it has no axes.
+inline constexpr std::string_view model_sweep_key = "needs";
+
 /// The key of the named sweep with these axes, otherwise all axes as text: "shading=phong,flat;textures=on,off", or
 /// "none".
 std::string sweep_text(std::span<const SweepAxis> axes);
-/// The axes that sweep_text() wrote. Throws InputError like parse_sweep().
+/// The axes that sweep_text() wrote; none for the model's sweep. Throws InputError like parse_sweep().
 std::vector<SweepAxis> parse_sweep_text(std::string_view text);
 
 /// One point of a sweep before it is measured.
@@ -66,6 +69,10 @@ SweepNames split_names(const std::vector<std::string>& names);
 /// Why one of the axes acts nowhere in the sweep, in a whole sentence; nullopt if it acts somewhere.
 std::optional<std::string> idle_axis(const SweepAxis& axis, std::span<const SweepAxis> axes, const Settings& base,
                                      const SceneTraits& traits);
+/// Why none of `own` acts anywhere in a sweep over `axes`: the first one's sentence. nullopt where one acts, or there
+/// is none.
+std::optional<std::string> idle_axes_all(std::span<const SweepAxis> own, std::span<const SweepAxis> axes,
+                                         const Settings& base, const SceneTraits& traits);
 /// Swept options that act nowhere in the sweep, each with its reason, in whole sentences.
 std::vector<std::string> idle_axes(std::span<const SweepAxis> axes, const Settings& base, const SceneTraits& traits);
 /// Why a named sweep changes nothing with these settings and this scene ("needs a texture"), or nullopt if it does:

@@ -23,7 +23,7 @@ TEST(NeedsAdvice, SaysWhatWorkIs) {
   EXPECT_NE(words.verdict.find("94 % of the counted work"), std::string::npos) << words.verdict;
   EXPECT_NE(words.verdict.find("allowed: 0.05, hard to see"), std::string::npos) << words.verdict;
   EXPECT_EQ(words.changes, "shadows=none");
-  EXPECT_EQ(words.words, "Shadows: none");
+  EXPECT_EQ(words.words, "shadows: none");
   EXPECT_NE(words.saving.find("60,000 instead of 1 M rays, tests, fragments and reads of textures and maps"),
             std::string::npos)
       << words.saving;
@@ -35,15 +35,6 @@ TEST(NeedsAdvice, SaysThatLessWorkWasNotLessTime) {
   EXPECT_TRUE(time(needs_with(26.88, 18.19, true)).starts_with("Less work, but not less time here"));
   for (const Needs& needs : {needs_with(26, 18, false), needs_with(10, 18, false)})
     EXPECT_NE(time(needs).find("within noise"), std::string::npos) << time(needs);
-}
-
-TEST(NeedsAdvice, WhatIsFreeToDropIsASentence) {
-  FeatureShare share;
-  share.feature.label = "Shadows";
-  share.reason = needs("lighting", true);
-  EXPECT_EQ(needs_free_sentence(share), "Shadows can be left out at no loss: the option needs lighting = on.");
-  share.reason = "the scene has no texture";
-  EXPECT_EQ(needs_free_sentence(share), "Shadows can be left out at no loss: the scene has no texture.");
 }
 
 }  // namespace

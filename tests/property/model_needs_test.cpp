@@ -281,6 +281,80 @@ TEST(ModelNeeds, NoReducedSceneLeavesTheTolerance) {
   }
 }
 
+constexpr const char* ambient = "light { type = ambient\n intensity = 0.8 }\n";
+
+std::string ball(const std::string& name, double x, double radius, double z = 4) {
+  return "sphere { name = " + name + "\n center = (" + std::to_string(x) + ", 0, " + std::to_string(z) +
+         ")\n radius = " + std::to_string(radius) + "\n color = red }\n";
+}
+
+// At z = 4 a unit is 16 pixels wide. The speck covers about 4 of the 256 pixels of its tile, the pea about 36.
+TEST(ModelNeeds, ASpeckGoesAndAPeaStays) {
+  const ModelRequest request =
+      request_for(std::string(ambient) + ball("speck", -1.2, 0.07) + ball("pea", 0, 0.21) + ball("fist", 1.2, 0.5));
+  const ModelNeeds needs = needs_of(request);
+  EXPECT_EQ(names_of(needs.scene), (std::vector<std::string>{"pea", "fist"}));
+  const ModelSaving* saving = saving_of(needs, ModelPart::small_objects);
+  ASSERT_NE(saving, nullptr);
+  EXPECT_EQ(saving->goes, "one small object");
+  ASSERT_EQ(saving->things.size(), 1u);
+  EXPECT_NEAR(saving->things[0].picture.value_or(0) * 64 * 64, 3.94, 2.1) << "the area of a disc of 1.12 pixels";
+  StudyControl control;
+  Scene over_reduced = needs.scene;
+  over_reduced.geometry.edit([](Geometry& geometry) { geometry.objects.erase(geometry.objects.begin()); });
+  EXPECT_GT(check_reduction(request, over_reduced, request.base, control).increase, request.tolerance);
+}
+
+/// Without reflected and shadow rays, so that nothing but the maps and volumes of fragments shows what they show.
+ModelRequest by_fragments(const std::string& text, const std::string& settings) {
+  ModelRequest request = request_for(text);
+  request.base = with_renderer(request.base, PictureWay::fragments);
+  parse_assignment(settings, request.base);
+  return request;
+}
+
+TEST(ModelNeeds, WhatOnlyAMapOrAVolumeShowsStays) {
+  const std::string mirror = std::string(ambient) +
+                             "sphere { name = mirror\n center = (0, 0, 4)\n radius = 1.5\n color = (30, 30, 30)\n "
+                             "reflective = 0.9 }\n" +
+                             ball("shown", 0, 2, -4) + ball("hidden", 0, 0.5, -40);
+  ModelRequest maps = by_fragments(mirror, "environment=cube-map");
+  maps.base.reflection_depth = 0;
+  const ModelNeeds mapped = needs_of(maps);
+  EXPECT_EQ(names_of(mapped.scene), (std::vector<std::string>{"mirror", "shown"}));
+  const std::string shadow =
+      "light { type = ambient\n intensity = 0.2 }\n"
+      "light { type = directional\n intensity = 0.8\n direction = (0, 1, -1) }\n"
+      "rectangle { name = floor\n corner = (-9, -1, 0)\n side_a = (0, 0, 20)\n side_b = (18, 0, 0)\n color = white }\n"
+      "sphere { name = thrower\n center = (0, 4, -1)\n radius = 1\n color = red }\n"
+      "sphere { name = elsewhere\n center = (0, 4, -40)\n radius = 1\n color = red }\n";
+  for (const char* method : {"shadows=map", "shadows=stencil-depth-fail"}) {
+    SCOPED_TRACE(method);
+    const ModelRequest request = by_fragments(shadow, method);
+    EXPECT_EQ(names_of(needs_of(request).scene), (std::vector<std::string>{"floor", "thrower"}));
+    StudyControl control;
+    Scene over_reduced = request.scene;
+    over_reduced.geometry.edit([](Geometry& geometry) { geometry.objects.erase(geometry.objects.begin() + 1); });
+    EXPECT_GT(check_reduction(request, over_reduced, request.base, control).increase, request.tolerance);
+  }
+}
+
+TEST(ModelNeeds, DoubleGoesWhereFloatShowsTheSameSurfaces) {
+  ModelRequest plain = request_for(std::string(two_lights) + ball("ball", 0, 1));
+  plain.base.precision = Precision::float64;
+  const ModelSaving* saving = saving_of(needs_of(plain), ModelPart::precision);
+  EXPECT_NE(saving, nullptr);
+  // Far from the origin, float knows the places of this ball's triangles no better than to half a unit.
+  ModelRequest far = request_for(load_scene("lab/far-origin"), 64, 64);
+  far.base.precision = Precision::float64;
+  EXPECT_EQ(saving_of(needs_of(far), ModelPart::precision), nullptr);
+  far.base.precision = Precision::float32;
+  const std::vector<ModelRemark> remarks = needs_of(far).remarks;
+  EXPECT_TRUE(std::any_of(remarks.begin(), remarks.end(), [](const ModelRemark& remark) {
+    return remark.starts_with("Numbers and depths are hardly");
+  }));
+}
+
 TEST(ModelNeeds, TheSavedSceneIsReadBackAndHolds) {
   const test::ScratchFolder scratch;
   const std::string file = scratch.file("less.scene"), sheet = scratch.file("less.png");

@@ -47,6 +47,18 @@ TEST(NeedsWords, NothingIsSaidBeforeEveryFeatureWasTried) {
   EXPECT_EQ(needs_sentence("cgfs/crates", needs), "");
 }
 
+// Those with one reason stand together: a line for each would be a wall.
+TEST(NeedsWords, WhatIsNotInUseIsOneSentence) {
+  Needs needs = needs_of({0.7, -1, -1, -1, -1, -1, -1, -1});
+  EXPECT_EQ(unused_sentence(std::span(needs.shares).first(1)), "");
+  for (FeatureShare& share : needs.shares)
+    if (!share.used) share.reason = "the scene has no texture";
+  needs.shares[1].reason = ps::needs("lighting", true);
+  const std::string sentence = unused_sentence(std::span(needs.shares).first(4));
+  EXPECT_EQ(sentence,
+            "Not in use: shadows (needs lighting = on); highlights and reflected rays (the scene has no texture).");
+}
+
 TEST(NeedsWords, AToleranceHasAWord) {
   EXPECT_EQ(tolerance_words(0), "no difference");
   EXPECT_EQ(tolerance_words(0.05), "hard to see");

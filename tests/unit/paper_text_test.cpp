@@ -81,6 +81,14 @@ TEST(DifferenceWords, NameWhatTheOtherDoesNotHave) {
   EXPECT_EQ(difference_words(b, a), "ray tracer, shading: Phong, without highlights, reflection depth 1");
 }
 
+TEST(DifferenceWords, AnAssignmentHasTheSameWords) {
+  EXPECT_EQ(setting_words("shading=flat"), "shading: flat");
+  EXPECT_EQ(setting_words("specular=off"), "without highlights");
+  EXPECT_EQ(setting_words("reflection-depth=2"), "reflection depth 2");
+  EXPECT_EQ(setting_words("reflection-depth=many"), "reflection-depth=many") << "no such value";
+  EXPECT_EQ(settings_in_words("double, shading=flat, specular=on"), "double, shading: flat, with highlights");
+}
+
 TEST(DifferenceWords, ABugIsNotNamed) {
   Settings a, b;
   a.listing_bug = 2;

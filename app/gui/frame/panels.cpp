@@ -33,7 +33,7 @@ Panels::Panels(const PanelHost& host)
   all_.emplace_back(vertex);
   add<ChartTab>(folder_);
   add<StabilityTab>(folder_);
-  add<NeedsTab>();
+  add<NeedsTab>(folder_);
   add<WhyTab>();
   add<TimingsTab>();
   add<UnsafeLines>(pictures);

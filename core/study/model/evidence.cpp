@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/render.h"
+#include "study/study_frame.h"
 #include "study/view_pixels.h"
 
 namespace ps::model {
@@ -55,10 +55,8 @@ Evidence gather_evidence(const Scene& scene, const std::vector<View>& views, con
     Evidence one;
     one.touched = touched_by_rays(scene, view, rays, prepared, control.progress(), priority);
     one.finest_level = all.finest_level;
-    RenderRequest how;
-    how.priority = priority;
-    how.channels = Channel::ids | Channel::mip | Channel::depth;
-    add_fragments(scene, render(scene, view, fragments, how, prepared, control.progress()), one);
+    constexpr Channel shown = Channel::ids | Channel::mip | Channel::depth;
+    add_fragments(scene, study_frame(scene, view, fragments, control, priority, prepared, shown), one);
     if (&view == &views.front())
       all.touched = std::move(one.touched);
     else

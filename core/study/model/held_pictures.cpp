@@ -8,6 +8,8 @@
 #include "options/renderer_kind.h"
 #include "study/counted_work.h"
 #include "study/reference.h"
+#include "study/study_frame.h"
+#include "study/view_pixels.h"
 #include "study/worst_tile.h"
 
 namespace ps::model {
@@ -66,12 +68,8 @@ std::vector<HeldPictures::Held> HeldPictures::hold(const std::vector<View>& view
 
 Frame HeldPictures::frame_of(const Scene& scene, const View& view, const Settings& settings, Prepared& prepared,
                              Channel channels) const {
-  control_.wait_here();
-  RenderRequest how;
-  how.channels = channels;
-  how.priority = priority_;
   ++rendered_;
-  return render(scene, view, settings, how, prepared, control_.progress());
+  return study_frame(scene, view, settings, control_, priority_, prepared, channels);
 }
 
 Image<Rgb8> HeldPictures::levels_of(const Scene& scene, const Held& held, const Settings& settings,
@@ -121,6 +119,22 @@ std::uint64_t HeldPictures::work(const Scene& scene, const Settings& settings) c
   for (const View& view : small_views_)
     work += counted_work(frame_of(scene, view, counted, prepared).counters).value_or(0);
   return work;
+}
+
+double HeldPictures::wrong_in_float(const Scene& scene, Settings settings) const {
+  settings.precision = Precision::float32;
+  Prepared prepared;
+  double most = 0;
+  for (const View& view : small_views_)
+    for (const auto& by : {by_rays, by_fragments}) {
+      const Frame frame = frame_of(scene, view, by(settings), prepared, Channel::ids | Channel::precision);
+      const auto wrong =
+          std::count_if(frame.precision.pixels().begin(), frame.precision.pixels().end(), [](PrecisionFault fault) {
+            return fault != PrecisionFault::none && fault != PrecisionFault::shading;
+          });
+      most = std::max(most, static_cast<double>(wrong) / pixels_of(view));
+    }
+  return most;
 }
 
 double HeldPictures::smallest_depth_gap(const Scene& scene, const Settings& settings) const {

@@ -39,6 +39,10 @@ class HeldPictures {
   /// (Channel::depth_gap). Infinity where no surface hides another.
   double smallest_depth_gap(const Scene& scene, const Settings& settings) const;
 
+  /// The share of the pixels of such a picture in which float shows another surface than double, where it is most: the
+  /// faults of the precision map but for shading, which a comparison of colours sees.
+  double wrong_in_float(const Scene& scene, Settings settings) const;
+
   /// The settings by rays and by fragments.
   static Settings by_rays(Settings settings);
   static Settings by_fragments(Settings settings);

@@ -13,6 +13,7 @@
 #include "options/scene_settings.h"
 #include "scene/scene_writer.h"
 #include "study/picture_sheet.h"
+#include "study/study_frame.h"
 
 namespace ps {
 namespace {
@@ -47,11 +48,8 @@ class FilesBeside {
 
 Image<Rgb8> drawn(const Scene& scene, const View& view, const Settings& settings, WorkerPriority priority,
                   StudyControl& control) {
-  control.wait_here();
   Prepared prepared;
-  RenderRequest how;
-  how.priority = priority;
-  return display_frame(render(scene, view, settings, how, prepared, control.progress()), settings);
+  return display_frame(study_frame(scene, view, settings, control, priority, prepared), settings);
 }
 
 }  // namespace

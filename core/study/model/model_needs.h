@@ -13,12 +13,13 @@ namespace ps {
 
 /// A part of a scene or of its settings that is weighed.
 enum class ModelPart {
-  objects,    ///< that no ray ends on and no fragment shows
-  shapes,     ///< models of which a box or a rectangle shows the same
-  triangles,  ///< of models, that no ray ends on and no fragment shows
-  textures,   ///< levels finer than any pixel reads
-  detail,     ///< divisions of curved models
-  lights,     ///< whose loss stays within the tolerance
+  objects,        ///< that no ray ends on and no fragment shows
+  shapes,         ///< models of which a box or a rectangle shows the same
+  triangles,      ///< of models, that no ray ends on and no fragment shows
+  small_objects,  ///< that show in so few pixels that their loss stays within the tolerance
+  textures,       ///< levels finer than any pixel reads
+  detail,         ///< divisions of curved models
+  lights,         ///< whose loss stays within the tolerance
   reflection_depth,
   samples,
   precision,
@@ -74,7 +75,8 @@ struct ModelRequest {
   WorkerPriority priority = WorkerPriority::normal;
 };
 
-/// Finds the parts of the model that no picture would miss. First go those that no kernel reports; then those that
+/// Finds the parts of the model that no picture would miss, and calls `update` before each part with how many have been
+/// weighed. First go those that no kernel reports; then those that
 /// may change a picture by no more than the tolerance in its worst tile, as long as it saves least_saving. Every
 /// step is drawn afresh, by rays and by fragments from every view, before it is taken; where several go at once and
 /// that is too much, halves of them are tried. Throws Cancelled.

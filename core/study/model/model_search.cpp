@@ -7,8 +7,6 @@
 namespace ps::model {
 namespace {
 
-constexpr int parts_weighed = 8;
-
 double saved_share(std::uint64_t before, std::uint64_t after, std::uint64_t whole) {
   return whole > 0 ? (static_cast<double>(before) - static_cast<double>(after)) / static_cast<double>(whole) : 0;
 }
@@ -36,9 +34,8 @@ bool is_worth_it(Worth worth, const ModelNeeds& now, std::uint64_t work, std::ui
   return false;
 }
 
-ModelSearch::ModelSearch(const ModelRequest& request, StudyControl& control,
-                         const std::function<void(const StudyStatus&)>& update)
-    : request_(request), control_(control), update_(update),
+ModelSearch::ModelSearch(const ModelRequest& request, StudyControl& control)
+    : request_(request), control_(control),
       held_(request.scene, request.views, request.base, control, request.priority),
       evidence_(gather_evidence(request.scene, request.views, HeldPictures::by_rays(request.base),
                                 HeldPictures::by_fragments(request.base), control, request.priority)) {
@@ -50,14 +47,13 @@ ModelSearch::ModelSearch(const ModelRequest& request, StudyControl& control,
   needs_.settings = request.base;
   needs_.work = needs_.default_work = held_.work(request.scene, request.base);
   needs_.bytes = needs_.default_bytes = model_bytes(request.scene);
-  report();
 }
 
 bool ModelSearch::holds(const Scene& scene, const Settings& settings, Worth worth) {
   Held tried{scene, settings, {}, held_.work(scene, settings), model_bytes(scene)};
   if (!is_worth_it(worth, needs_, tried.work, tried.bytes)) return false;
   tried.change = held_.change(scene, settings, request_.tolerance);
-  report();
+  needs_.pictures = held_.rendered();
   if (tried.change.increase > request_.tolerance) return false;
   last_ = std::move(tried);
   return true;
@@ -97,15 +93,6 @@ Candidates ModelSearch::hold_together(const Candidates& candidates, Worth worth,
   return held;
 }
 
-void ModelSearch::report() {
-  needs_.pictures = held_.rendered();
-  if (!update_) return;
-  StudyStatus status;
-  status.done = needs_.pictures;
-  status.total = status.done + parts_weighed;
-  update_(status);
-}
-
 std::string object_name(const Scene& scene, std::size_t object) {
   const std::string& name = scene.geometry->objects[object].name;
   return name.empty() ? fmt::format("object {}", object) : fmt::format("object '{}'", name);
@@ -130,15 +117,18 @@ namespace ps {
 
 ModelNeeds find_model_needs(const ModelRequest& request, StudyControl& control,
                             const std::function<void(const StudyStatus&)>& update) {
-  model::ModelSearch search(request, control, update);
-  search.weigh_objects();
-  search.weigh_shapes();
-  search.weigh_triangles();
-  search.weigh_textures();
-  search.weigh_detail();
-  search.weigh_lights();
-  search.weigh_settings();
-  search.weigh_depth_buffer();
+  using model::ModelSearch;
+  constexpr std::array weighed{
+      &ModelSearch::weigh_objects,       &ModelSearch::weigh_shapes,   &ModelSearch::weigh_triangles,
+      &ModelSearch::weigh_small_objects, &ModelSearch::weigh_textures, &ModelSearch::weigh_detail,
+      &ModelSearch::weigh_lights,        &ModelSearch::weigh_settings, &ModelSearch::weigh_depth_buffer};
+  ModelSearch search(request, control);
+  StudyStatus status{0, static_cast<int>(weighed.size())};
+  for (const auto& weigh : weighed) {
+    if (update) update(status);
+    (search.*weigh)();
+    ++status.done;
+  }
   return std::move(search.needs());
 }
 

@@ -24,8 +24,7 @@ enum class Worth {
 /// A scene on its way from the full to the reduced one.
 class ModelSearch {
  public:
-  ModelSearch(const ModelRequest& request, StudyControl& control,
-              const std::function<void(const StudyStatus&)>& update);
+  ModelSearch(const ModelRequest& request, StudyControl& control);
 
   const ModelRequest& request() const { return request_; }
   const Scene& scene() const { return needs_.scene; }
@@ -38,6 +37,8 @@ class ModelSearch {
   bool holds(const Scene& scene, const Settings& settings, Worth worth);
   /// Goes on from what the last holds() said yes to. Fills what the saving measures.
   void take(ModelSaving saving);
+  /// Drops the evidence of objects that are gone from `before`, and of textures that only they had.
+  void forget(const Scene& before, const Candidates& gone);
   /// Tries all at once, then halves of what is too much: those that hold together. `reduced` makes the scene without
   /// them. The last scene that held is the one with all of the result.
   Candidates hold_together(const Candidates& candidates, Worth worth,
@@ -47,6 +48,7 @@ class ModelSearch {
   void weigh_objects();
   void weigh_shapes();
   void weigh_triangles();
+  void weigh_small_objects();
   void weigh_textures();
   void weigh_detail();
   void weigh_lights();
@@ -58,11 +60,9 @@ class ModelSearch {
   void weigh_unread_textures(const Scene& before, std::vector<int>& levels);
   void halve(const Candidates& candidates, Worth worth, const std::function<Scene(const Candidates&)>& reduced,
              Candidates& held);
-  void report();
 
   const ModelRequest& request_;
   StudyControl& control_;
-  const std::function<void(const StudyStatus&)>& update_;
   HeldPictures held_;
   Evidence evidence_;
   ModelNeeds needs_;

@@ -18,10 +18,23 @@ std::vector<SweepPoint> model_sweep(const ModelNeeds& needs, const Settings& bas
   std::string gone;
   for (const ModelSaving& saving : needs.savings) {
     gone += fmt::format("{}{}", gone.empty() ? "" : ", ", model_part_key(saving.part));
-    points.push_back({fmt::format("less {}", gone), fmt::format("Model: less {}", gone), settings_text(saving.settings),
-                      saving.settings, std::make_shared<const Scene>(saving.scene)});
+    points.push_back({fmt::format("reduced {}", gone), fmt::format("Model: reduced {}", gone),
+                      settings_text(saving.settings), saving.settings, std::make_shared<const Scene>(saving.scene)});
   }
   return points;
+}
+
+ModelRequest model_request(const ChartRequest& chart) {
+  ModelRequest model;
+  model.scene = chart.scene;
+  model.views = {chart.view};
+  model.base = chart.base;
+  model.priority = chart.priority;
+  return model;
+}
+
+std::vector<SweepPoint> model_sweep(const ChartRequest& chart, const Settings& scene_start, StudyControl& control) {
+  return model_sweep(find_model_needs(model_request(chart), control), chart.base, scene_start);
 }
 
 }  // namespace ps

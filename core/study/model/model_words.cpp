@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/sentence.h"
 #include "study/model/model_search.h"
 
 namespace ps {
@@ -46,6 +47,8 @@ std::string_view model_part_key(ModelPart part) {
     return "shapes";
   case ModelPart::triangles:
     return "triangles";
+  case ModelPart::small_objects:
+    return "small-objects";
   case ModelPart::textures:
     return "textures";
   case ModelPart::detail:
@@ -85,15 +88,11 @@ std::string model_sentence(const ModelNeeds& needs) {
                      shown_things(needs), needs.objects + needs.lights == 1 ? "s" : "", 100 * least_saving);
   const std::vector<const ModelSaving*> savings = greatest_first(needs);
   const std::size_t named = savings.size() > most_parts ? most_parts - 1 : savings.size();
-  std::string text;
-  for (std::size_t i = 0; i < named; ++i) {
-    const bool last = i + 1 == named && named == savings.size();
-    text += i == 0 ? "" : last ? " and " : ", ";
-    text += savings[i]->goes + (savings[i]->kept.empty() ? "" : fmt::format(" ({})", savings[i]->kept));
-  }
-  if (named < savings.size()) text += fmt::format(" and {} more parts", model::number_word(savings.size() - named));
-  if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return fmt::format("{} can go: {}.", text, saved_words(needs));
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < named; ++i)
+    parts.push_back(savings[i]->goes + (savings[i]->kept.empty() ? "" : fmt::format(" ({})", savings[i]->kept)));
+  if (named < savings.size()) parts.push_back(fmt::format("{} more parts", model::number_word(savings.size() - named)));
+  return fmt::format("{} can go: {}.", begun_large(listed(parts)), saved_words(needs));
 }
 
 std::string views_words(std::size_t views) {

@@ -58,16 +58,20 @@ void ModelSearch::weigh_objects() {
     saving.things.push_back({.name = object_name(full, object), .picture = 0, .bytes = bytes});
   }
   take(std::move(saving));
-  const Marks marks = marks_of(gone, all);
+  forget(full, gone);
+}
+
+void ModelSearch::forget(const Scene& before, const Candidates& gone) {
+  const Marks marks = marks_of(gone, before.geometry->objects.size());
   std::vector<Touched::Object> left;
-  for (std::size_t i = 0; i < all; ++i)
+  for (std::size_t i = 0; i < marks.size(); ++i)
     if (!marks[i]) left.push_back(std::move(evidence_.touched.objects[i]));
   evidence_.touched.objects = std::move(left);
   // Textures that only they had are gone with them.
   std::vector<std::optional<float>> levels;
-  for (std::size_t i = 0; i < full.textures->size(); ++i)
+  for (std::size_t i = 0; i < before.textures->size(); ++i)
     if (std::any_of(scene().textures->begin(), scene().textures->end(),
-                    [&](const Texture& texture) { return texture.texels == (*full.textures)[i].texels; }))
+                    [&](const Texture& texture) { return texture.texels == (*before.textures)[i].texels; }))
       levels.push_back(evidence_.finest_level[i]);
   levels.resize(scene().textures->size());
   evidence_.finest_level = std::move(levels);

@@ -8,6 +8,7 @@
 namespace ps::model {
 namespace {
 
+constexpr double visibly_wrong = 0.001;        ///< share of the pixels; fewer are rounding at edges
 constexpr std::size_t most_without_tree = 64;  ///< primitives: to test all of more never pays
 
 std::size_t primitives_of(const Scene& scene) {
@@ -72,6 +73,11 @@ void ModelSearch::weigh_settings() {
       break;
     }
   }
+  if (request_.base.precision == Precision::float64) return;  // it was drawn in float above
+  if (const double wrong = held_.wrong_in_float(scene(), settings()); wrong >= visibly_wrong)
+    needs_.remarks.push_back(fmt::format(
+        "Numbers and depths are hardly exact enough: in {:.1f} % of the pixels double shows another surface.",
+        100 * wrong));
 }
 
 }  // namespace ps::model

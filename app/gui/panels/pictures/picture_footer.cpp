@@ -27,6 +27,7 @@ struct FooterItem {
 };
 using Voice = FooterItem::Voice;
 constexpr const char* time_name = "time";
+constexpr const char* beside_help = "Pixels whose levels are not those of A.";
 
 FooterItem left_out_item(Session& session, Side side) {
   const LeftOutTexts texts = left_out_texts(left_out(session.traits(), session.settings(side)));
@@ -45,7 +46,8 @@ FooterItem time_item(Session& session, const RenderResult& result) {
 std::vector<FooterItem> footer_items(Session& session, Side side, CaptionChange& change, PictureCaptions captions,
                                      const std::string& lead, const std::string& beside) {
   if (const auto file = session.picture_b(); side == Side::b && file)
-    return {{{}, fmt::format("{}{} x {} pixels", lead, file->levels.width(), file->levels.height()), file->path}};
+    return {{{}, fmt::format("{}{} x {} pixels", lead, file->levels.width(), file->levels.height()), file->path},
+            {"beside", beside, beside.empty() ? "" : beside_help, Voice::plain}};
   const auto result = session.renderer(side).result();
   if (const std::string words = slow_words(session, side); !words.empty()) {
     if (session.document().mode == ScreenMode::presenter) return {};  // they are in large type in the strip
@@ -64,7 +66,7 @@ std::vector<FooterItem> footer_items(Session& session, Side side, CaptionChange&
       item.widest = work_text(work, work.count);
       items.push_back(std::move(item));
     }
-    if (!beside.empty()) items.push_back({"beside", beside, "Pixels whose levels are not those of A.", Voice::plain});
+    if (!beside.empty()) items.push_back({"beside", beside, beside_help, Voice::plain});
     items.push_back(time_item(session, *result));
   }
   // After the pixels that are not a number, which no ellipsis may reach.

@@ -39,8 +39,8 @@ struct TitlePart {
 
 /// "shading: flat", "exposure 0.3333"
 std::string title_words(const Option& option, const Settings& settings, const std::string& value) {
-  if (option.kind != OptionKind::real) return caption_words(option, settings);
-  std::string words = caption_words(option, settings);
+  if (option.kind != OptionKind::real) return setting_words(option, settings);
+  std::string words = setting_words(option, settings);
   return words.substr(0, words.rfind(' ') + 1) + value;
 }
 

@@ -7,8 +7,8 @@
 
 #include "gui/widgets/draw.h"
 #include "gui/widgets/shorten.h"
+#include "options/difference_words.h"
 #include "study/chart_style.h"
-#include "study/setting_words.h"
 
 namespace ps::gui {
 namespace {
@@ -37,13 +37,21 @@ Area draw_axes(ImDrawList& list, const ChartTab& tab, const Area& area) {
   draw_text({inner.min.x, inner.max.y + px(6)}, area.max, axes.cost_title, palette().text_quiet, 0.5f);
   const float best = up ? inner.min.y + px(8) : inner.max.y - line - px(8);
   draw_text({inner.min.x + px(8), best}, {inner.max.x, best + line},
-            whole_words("the best corner: little error in little time", inner.max.x - inner.min.x - px(8)),
+            whole_words(tab.across == ChartAcross::time   ? "the best corner: little error in little time"
+                        : tab.across == ChartAcross::work ? "the best corner: little error with little work"
+                                                          : "the best corner: little error in little memory",
+                        inner.max.x - inner.min.x - px(8)),
             palette().text_quiet, 0);
   return inner;
 }
 
 std::string sentence(const ChartTab& tab, std::string_view button, bool measuring) {
   if (measuring) return "The first point appears when the reference is rendered.";
+  if (tab.setup.swept == Swept::model)
+    return fmt::format(
+        "{} finds what of the model no pixel would miss, as Needs does, and draws the way from the full to "
+        "the reduced model: time, work and memory against error, with the pictures below.",
+        button);
   const std::size_t count = tab.plan.points.size();
   return fmt::format("{} renders {} picture{} and compares {} with the reference: {}.", button, count,
                      count == 1 ? "" : "s", count == 1 ? "it" : "each", settings_in_words(tab.plan.truth));

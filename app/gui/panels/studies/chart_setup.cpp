@@ -9,6 +9,7 @@
 #include "base/machine.h"
 #include "document/command_line.h"
 #include "document/number_list.h"
+#include "gui/panels/studies/study.h"
 #include "options/scene_settings.h"
 #include "study/renderer_sweep.h"
 
@@ -17,18 +18,8 @@ namespace {
 
 constexpr std::size_t most_points = 400;  // more belong on a cluster, in shards
 
-std::string scene_text(const Session& session) {
-  const Document& document = session.document();
-  std::string text = document.scene_name;
-  std::error_code error;
-  const auto time = std::filesystem::last_write_time(document.scene_name, error);
-  if (!error) text += fmt::format(" {}", time.time_since_epoch().count());
-  for (const SceneEdit& edit : document.edits) text += fmt::format(" {}={}", edit.path, edit.value);
-  return text + " " + camera_text(session.view().camera);
-}
-
-std::string sweep_text(const ChartSetup& setup) {
-  std::string text;
+std::string axes_text(const ChartSetup& setup) {
+  std::string text(setup.swept == Swept::model ? model_sweep_key : "");
   for (const SweepAxis& axis : setup.axes) text += fmt::format("{}={};", axis.option->key, fmt::join(axis.values, ","));
   return text;
 }
@@ -42,9 +33,9 @@ bool same_but_for(const std::vector<SweepAxis>& axes, const Settings& a, Setting
 std::string plan_key(const ChartSetup& setup, const Settings& base, const Session& session) {
   static const Machine machine = this_machine();
   const View view = session.view();
-  std::string key = fmt::format("{} {} {}|{}|{}x{}|{}|base {}|", machine.version, machine.processor, machine.threads,
-                                scene_text(session), view.width, view.height, sweep_text(setup),
-                                fmt::join(changed_options(base), ";"));
+  std::string key =
+      fmt::format("{} {} {}|{}|{}x{}|{}|base {}|", machine.version, machine.processor, machine.threads,
+                  scene_key(session), view.width, view.height, axes_text(setup), fmt::join(changed_options(base), ";"));
   key += setup.values == ErrorValues::display ? "display" : "linear";
   key += setup.machinery == MachineryRule::same ? "" : "|as used";
   if (const auto& region = session.region(); region && setup.part == ChartPart::rectangle)
@@ -56,9 +47,14 @@ std::string plan_key(const ChartSetup& setup, const Settings& base, const Sessio
 }  // namespace
 
 void set_axes(ChartSetup& setup, std::vector<SweepAxis> axes) {
+  setup.swept = Swept::options;
   setup.axes = std::move(axes);
   setup.typed.clear();
   for (const SweepAxis& axis : setup.axes) setup.typed.push_back(fmt::format("{}", fmt::join(axis.values, ",")));
+}
+
+std::string swept_text(const ChartSetup& setup) {
+  return setup.swept == Swept::model ? std::string(model_sweep_key) : sweep_text(setup.axes);
 }
 
 void update_plan(ChartPlan& plan, const ChartSetup& setup, const Session& session) {
@@ -70,7 +66,9 @@ void update_plan(ChartPlan& plan, const ChartSetup& setup, const Session& sessio
   plan.key = std::move(key);
   plan.base = base;
   try {
-    plan.points = sweep_points(setup.axes, base, settings_for(session.document().base), session.traits());
+    if (const auto idle = idle_axes_all(setup.axes, setup.axes, base, session.traits())) throw InputError(*idle);
+    if (setup.swept == Swept::options)
+      plan.points = sweep_points(setup.axes, base, settings_for(session.document().base), session.traits());
     const ReferenceOptions reference{setup.reference_file, setup.reference_samples};
     plan.truth = setup.reference_file.empty()
                      ? plan_reference(plan.points, base, session.traits(), session.view(), reference).description()
@@ -108,6 +106,7 @@ ChartRequest make_request(const ChartPlan& plan, const ChartSetup& setup, ErrorM
 
 std::string command_of(const ChartPlan& plan, const ChartSetup& setup, ErrorMetric metric, const Session& session) {
   std::vector<std::string> arguments;
+  if (setup.swept == Swept::model) arguments = {"--sweep", std::string(model_sweep_key)};
   for (const SweepAxis& axis : setup.axes) {
     arguments.emplace_back("--sweep");
     arguments.push_back(fmt::format("{}={}", axis.option->key, fmt::join(axis.values, ",")));

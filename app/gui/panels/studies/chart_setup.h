@@ -12,8 +12,12 @@ namespace ps::gui {
 /// Where a chart's pictures are compared.
 enum class ChartPart { whole, rectangle };
 
+/// Subject of a sweep: options, or the model from full to reduced.
+enum class Swept { options, model };
+
 /// The measurement that the user has asked for.
 struct ChartSetup {
+  Swept swept = Swept::options;
   std::vector<SweepAxis> axes;
   std::vector<std::string> typed;  ///< for each axis its values as they are in the field, "0,1,2"
   Side side = Side::a;             ///< whose settings are under the sweep
@@ -26,13 +30,13 @@ struct ChartSetup {
   std::string search;          ///< for an option to add
 };
 
-/// Replaces the swept options.
+/// Sweeps these options.
 void set_axes(ChartSetup& setup, std::vector<SweepAxis> axes);
 
 /// The plan of a setup for the open scene. Made anew only when something of it changes.
 struct ChartPlan {
   std::string key;                  ///< everything that decides the results, as text
-  std::vector<SweepPoint> points;   ///< empty if there is an error
+  std::vector<SweepPoint> points;   ///< empty if there is an error, and for the model, which is weighed first
   std::vector<std::string> notes;   ///< swept options without effect here, and what is absent
   std::vector<std::string> absent;  ///< Chart::absent
   std::string truth;                ///< what errors are measured against
@@ -47,6 +51,9 @@ ChartRequest make_request(const ChartPlan& plan, const ChartSetup& setup, ErrorM
 
 /// The command that measures the same without a window.
 std::string command_of(const ChartPlan& plan, const ChartSetup& setup, ErrorMetric metric, const Session& session);
+
+/// The model's sweep, or that of the options: Layout::sweep.
+std::string swept_text(const ChartSetup& setup);
 
 /// The controls for all of it but the named sweeps.
 void chart_setup_controls(ChartSetup& setup, const ChartPlan& plan, const Session& session, const PanelHost& host);

@@ -9,8 +9,8 @@
 #include "gui/panels/studies/chart_setup.h"
 #include "gui/widgets/text_field.h"
 #include "gui/widgets/widgets.h"
+#include "options/difference_words.h"
 #include "options/option_search.h"
-#include "study/setting_words.h"
 
 namespace ps::gui {
 namespace {
@@ -101,7 +101,7 @@ void add_option(ChartSetup& setup, const Session& session) {
     const std::string reason = text_of(inactive_reason(option, session.settings(setup.side), session.traits()));
     const std::string label = fmt::format("{}: {}", option.group, option.label);
     if (!button(fmt::format("add/{}", option.key), label, Emphasis::quiet,
-                {.tooltip = reason.empty() ? option.help.what : std::string_view(reason)}))
+                {.tooltip = option.help.what, .disabled = reason}))
       continue;
     auto axes = setup.axes;
     axes.push_back({&option, standard_values(option)});
@@ -173,9 +173,10 @@ void chart_setup_controls(ChartSetup& setup, const ChartPlan& plan, const Sessio
   heading("What is swept");
   swept_options(setup);
   add_option(setup, session);
-  value_text("points", plan.error.empty()
-                           ? fmt::format("{} point{}", plan.points.size(), plan.points.size() == 1 ? "" : "s")
-                           : plan.error);
+  value_paragraph("points", !plan.error.empty() ? plan.error
+                            : setup.swept == Swept::model
+                                ? "The model from full to reduced, which is weighed first."
+                                : fmt::format("{} point{}", plan.points.size(), plan.points.size() == 1 ? "" : "s"));
   for (const std::string& note : plan.notes) quiet_text(note);
   heading("Other options of");
   static constexpr std::array sides{Choice{"a", "A", "The options of picture A."},

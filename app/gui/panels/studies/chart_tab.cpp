@@ -12,13 +12,16 @@
 #include "base/kept_inputs.h"
 #include "gui/panels/studies/chart_hover.h"
 #include "gui/panels/studies/chart_invitation.h"
+#include "gui/panels/studies/chart_strip.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
+#include "options/difference_words.h"
+#include "options/scene_settings.h"
 #include "scene/load.h"
 #include "study/chart_conclusion.h"
 #include "study/chart_files.h"
 #include "study/chart_style.h"
-#include "study/setting_words.h"
+#include "study/model/model_sweep.h"
 
 namespace ps::gui {
 namespace {
@@ -30,7 +33,7 @@ constexpr StudyWords chart_words{
     .again = "Again",
     .help = "Renders every picture several times in the background. The time is estimated from small pictures of all "
             "points and of the reference.",
-    .preparing = "rendering the reference",
+    .preparing = "preparing the first point",
     .unit = "runs",
     .kept = "Resume goes on from there"};
 constexpr const char* own_sweep = "own";
@@ -85,6 +88,7 @@ void ChartTab::follow(Session& session) {
   begin();
   sweep_.follow(session, [&](const std::string& asked) {
     set_axes(setup, parse_sweep_text(asked.empty() ? named_sweeps().front().key : asked));
+    if (asked == model_sweep_key) setup.swept = Swept::model;
   });
   update_plan(plan, setup, session);
   if (kept_for_ == plan.key) return;
@@ -98,7 +102,8 @@ void ChartTab::follow(Session& session) {
 void ChartTab::sweep_choice() {
   std::vector<Choice> choices;
   for (const NamedSweep& sweep : named_sweeps()) choices.push_back({sweep.key, sweep.label, ""});
-  const std::string shown = sweep_text(setup.axes);
+  choices.push_back({model_sweep_key, "The model, full to reduced", ""});
+  const std::string shown = swept_text(setup);
   const auto named = std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return c.key == shown; });
   int index = static_cast<int>(named - choices.begin());
   if (named == choices.end()) choices.push_back({own_sweep, "A custom sweep", ""});
@@ -110,6 +115,9 @@ void ChartTab::sweep_choice() {
     return;
   const auto chosen = static_cast<std::size_t>(index);
   if (chosen < named_sweeps().size()) set_axes(setup, parse_sweep(named_sweeps()[chosen].key));
+  if (choices[chosen].key != model_sweep_key) return;
+  set_axes(setup, {});
+  setup.swept = Swept::model;
 }
 
 void ChartTab::setup_popup(Session& session) {
@@ -145,11 +153,13 @@ void ChartTab::metric_choice(float width) {
   if (choice_of("metric", choices, metric, {.tooltip = "The error metric.", .width = width}) && found) show_found();
 }
 
-/// Milliseconds of this machine, or work counted alike on every machine.
+/// Milliseconds of this machine, work counted alike on every machine, or bytes.
 void ChartTab::across_choice(float width) {
   static constexpr std::array choices{
       Choice{"time", "Time", "Milliseconds of one picture on this machine."},
-      Choice{"work", "Work", "Rays, intersection tests, fragments and texel reads: the same on every machine."}};
+      Choice{"work", "Work", "Rays, intersection tests, fragments and texel reads: the same on every machine."},
+      Choice{"memory", "Memory",
+             "What is made for the picture, in 10^6 bytes; with the scene's own where the model varies."}};
   if (choice_of("across", choices, across, {.tooltip = "The horizontal axis.", .width = width}) && found) show_found();
 }
 
@@ -177,7 +187,7 @@ void ChartTab::more_controls(Session& session) {
   across_choice(px(76));
   same_line_if_room(button_width("Save"), px(3));
   export_menu(session);
-  const std::string shown = sweep_text(setup.axes);
+  const std::string shown = swept_text(setup);
   sweep_.keep(session, shown == named_sweeps().front().key ? "" : shown);
 }
 
@@ -187,13 +197,19 @@ std::string ChartTab::measure_word() const {
 }
 
 void ChartTab::keep_estimate(Session& session) {
-  if (plan.error.empty() && estimate_lacks(fmt::format("{}|{} runs", plan.key, setup.repeats)))
-    begin_estimate(estimate_chart, make_request(plan, setup, metric, session));
+  if (!plan.error.empty() || !estimate_lacks(fmt::format("{}|{} runs", plan.key, setup.repeats))) return;
+  const ChartRequest request = make_request(plan, setup, metric, session);
+  if (setup.swept == Swept::model)
+    begin_estimate(estimate_model, model_request(request));
+  else
+    begin_estimate(estimate_chart, request);
 }
 
 std::string ChartTab::expected() const {
   if (!plan.error.empty() || measure_word() == "Resume") return {};
-  if (const auto known = estimate.found()) return estimate_text(*known);
+  const bool model = setup.swept == Swept::model;
+  if (const auto known = estimate.found()) return model ? at_least(known->seconds) : estimate_text(*known);
+  if (model) return unknown_time();
   const std::size_t pictures = plan.points.size();
   return fmt::format("{}, {} picture{}", unknown_time(), pictures, pictures == 1 ? "" : "s");
 }
@@ -214,12 +230,15 @@ void ChartTab::load_on_click(Session& session, bool clicked) {
   if (!hovered_) return;
   const ChartPoint& point = chart.points[*hovered_];
   // Settings belong to their scene: those of one made for another may not fit.
-  const bool fits = chart.identity.scene == session.document().scene_name;
+  const bool other_model = point.what.scene != nullptr;
+  const bool fits = chart.identity.scene == session.document().scene_name && !other_model;
   const bool right = ImGui::IsMouseReleased(ImGuiMouseButton_Right);
   if (fits) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   if (fits && clicked) load_point(session, point, right || ImGui::GetIO().KeyShift ? Side::b : Side::a);
   chart_hover(*this, point, preview,
-              fits ? "Click: into A.  Shift or right click: into B." : "Another scene is open now.");
+              fits          ? "Click: into A.  Shift or right click: into B."
+              : other_model ? "Needs, Model makes this scene."
+                            : "Another scene is open now.");
 }
 
 void ChartTab::draw_result(Session& session) {
@@ -236,13 +255,17 @@ void ChartTab::draw_result(Session& session) {
   auto& list = *ImGui::GetWindowDrawList();
   const float legend = area.height() >= px(least_height_for_legend) ? chart_legend_height() : 0;
   const float conclusion = area.height() >= px(least_height_for_conclusion) ? conclusion_height(conclusion_, area) : 0;
-  const Area chart_area{area.min, {area.max.x, area.max.y - legend - conclusion}};
+  const float pictures = setup.swept == Swept::model ? chart_strip_height(area) : 0;
+  const Area chart_area{area.min, {area.max.x, area.max.y - legend - conclusion - pictures}};
   const ChartMarks marks{showing(chart, session.settings(Side::a)), showing(chart, session.settings(Side::b)),
                          hovered_};
   const ImVec2 nowhere{-1e6f, -1e6f};
   hovered_ = draw_chart(list, chart_area, chart, labels_, marks, over ? ImGui::GetIO().MousePos : nowhere);
-  if (conclusion > 0) draw_conclusion(conclusion_, {{area.min.x, chart_area.max.y}, area.max});
-  if (legend > 0) draw_chart_legend(list, {{area.min.x, chart_area.max.y + conclusion}, area.max}, chart);
+  if (pictures > 0)
+    draw_chart_strip(*this, {{area.min.x, chart_area.max.y}, {area.max.x, chart_area.max.y + pictures}});
+  const float below = chart_area.max.y + pictures;
+  if (conclusion > 0) draw_conclusion(conclusion_, {{area.min.x, below}, area.max});
+  if (legend > 0) draw_chart_legend(list, {{area.min.x, below + conclusion}, area.max}, chart);
   load_on_click(session, clicked);
 }
 
@@ -261,7 +284,9 @@ void ChartTab::measure(Session& session) {
   ChartRequest request = make_request(plan, setup, metric, session);
   request.folder = folder;
   const auto shown = std::exchange(measured_, plan.key) == plan.key ? found : nullptr;
-  start([request = std::move(request)](StudyControl& control, const Report& report) {
+  start([request = std::move(request), swept = setup.swept,
+         from = settings_for(session.document().base)](StudyControl& control, const Report& report) mutable {
+    if (swept == Swept::model) request.points = model_sweep(request, from, control);
     run_chart_study(request, control, report);
     return nullptr;
   });

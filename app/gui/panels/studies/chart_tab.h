@@ -11,6 +11,7 @@
 #include "gui/panels/studies/layout_choice.h"
 #include "gui/panels/studies/study.h"
 #include "gui/panels/studies/study_folder.h"
+#include "gui/panels/studies/table_cells.h"
 #include "gui/platform/texture.h"
 
 namespace ps::gui {
@@ -45,6 +46,7 @@ struct ChartTab : EstimatedStudy<ChartFound> {
   ChartAcross across = ChartAcross::time;
   Chart chart;  ///< what was found, in the metric and along the axis that are chosen
   ChartPreview preview;
+  SmallPictures strip;  ///< the points' pictures under the plot
 
   void measure(Session& session) override;
   void take(const PanelMessage& message) override;

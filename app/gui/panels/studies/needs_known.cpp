@@ -1,35 +1,28 @@
 #include "gui/panels/studies/needs_known.h"
 
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <string>
 #include <vector>
 
-#include "gui/widgets/draw.h"
+#include "base/sentence.h"
+#include "gui/panels/studies/needs_view.h"
 #include "gui/widgets/widgets.h"
+#include "options/difference_words.h"
 #include "options/option.h"
 #include "study/features.h"
 #include "study/needs.h"
-#include "study/setting_words.h"
 
 namespace ps::gui {
 namespace {
 
-/// "shadows (traced)", "reflected rays (Reflection depth: 3)"; what is only on or off has no value behind it.
+/// "shadows (traced)", "reflected rays (reflection depth 3)"; what is only on or off has no value behind it.
 std::string used_words(const Feature& feature, const Settings& settings) {
   const Option* option = find_option(feature.option);
   if (!option || option->kind == OptionKind::boolean) return std::string(feature.noun);
   const std::string value = option_text(*option, settings);
   if (option->kind == OptionKind::choice) return fmt::format("{} ({})", feature.noun, value);
   return fmt::format("{} ({})", feature.noun, setting_words(fmt::format("{}={}", option->key, value)));
-}
-
-/// "lighting, shadows (traced) and highlights"
-std::string used_list(const std::vector<std::string>& words) {
-  std::string list = words.front();
-  for (std::size_t i = 1; i < words.size(); ++i) list += (i + 1 == words.size() ? " and " : ", ") + words[i];
-  return list;
 }
 
 }  // namespace
@@ -49,13 +42,9 @@ void needs_known(const Settings& settings, const SceneTraits& traits, char lette
   }
   value_paragraph("used",
                   used.empty() ? fmt::format("In this scene the options of {} use no feature.", letter)
-                               : fmt::format("In this scene the options of {} use {}.", letter, used_list(used)),
+                               : fmt::format("In this scene the options of {} use {}.", letter, listed(used)),
                   {Face::bold});
-  for (const FeatureShare& share : unused) {
-    const std::string text = needs_free_sentence(share);
-    quiet_text(text);
-    controls().record(fmt::format("free/{}", share.feature.name), text_of(share.reason));
-  }
+  unused_features(unused);
 }
 
 }  // namespace ps::gui

@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "document/number_list.h"
 #include "gui/panels/pictures/picture_text.h"
 #include "gui/panels/studies/needs_known.h"
-#include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
@@ -39,18 +37,22 @@ std::string steps_text(std::size_t count) { return fmt::format("{} step{}", coun
 
 }  // namespace
 
-NeedsTab::NeedsTab(const PanelHost& host)
-    : EstimatedStudy(
-          host,
-          study_facts({.name = "needs",
-                       .group = ToolGroup::measure,
-                       .heading = "NEEDS",
-                       .brief = "Needs",
-                       .command = "Needs: what the scene can do without",
-                       .help = "The features that this scene needs, and the cheapest settings within a tolerance."}),
-          needs_words) {}
+OptionNeeds::OptionNeeds(const PanelHost& host) : EstimatedStudy(host, {}, needs_words) {}
 
-void NeedsTab::measure(Session& session) {
+NeedsTab::NeedsTab(const PanelHost& host, const StudyFolder& results)
+    : StudyParts(host,
+                 {.name = "needs",
+                  .group = ToolGroup::measure,
+                  .heading = "NEEDS",
+                  .brief = "Needs",
+                  .command = "Needs: what the scene can do without",
+                  .help = "What the picture needs of options and model, and the least that stays within a tolerance."}),
+      options_(host), model_(host, results) {
+  add({{{"options", "Options", "The cheapest settings that stay within the tolerance."}, options_},
+       {{"model", "Model", "Objects, triangles, texels, lights and bounces that no pixel would miss."}, model_}});
+}
+
+void OptionNeeds::measure(Session& session) {
   NeedsRequest request = request_for(session, side_);
   request.tolerance = tolerance_;
   measured_side_ = side_;
@@ -63,52 +65,37 @@ void NeedsTab::measure(Session& session) {
   });
 }
 
-void NeedsTab::keep_estimate(Session& session) {
-  const Document& document = session.document();
-  const View view = session.view();
-  std::string wanted = fmt::format("{} {}x{} {} {}", document.scene_name, view.width, view.height,
-                                   camera_text(view.camera), fmt::join(changed_options(session.settings(side_)), ";"));
-  for (const SceneEdit& edit : document.edits) wanted += fmt::format(" {}={}", edit.path, edit.value);
-  if (estimate_lacks(wanted)) begin_estimate(estimate_needs, request_for(session, side_));
+void OptionNeeds::keep_estimate(Session& session) {
+  if (estimate_lacks(picture_key(session, side_))) begin_estimate(estimate_needs, request_for(session, side_));
 }
 
-std::string NeedsTab::expected() const {
+std::string OptionNeeds::expected() const {
   const auto known = estimate.found();
-  return known ? "at least " + estimate_text(known->least) : unknown_time();
+  return known ? fmt::format("{}, {} pictures", at_least(known->least.seconds), known->least.pictures) : unknown_time();
 }
 
-void NeedsTab::choices(Session&) {
+void OptionNeeds::choices(Session&) {
   side_choice(side_, "Starts from the options of picture A.", "Starts from the options of picture B.");
-  same_line_if_room(text_width("Tolerance") + px(116), px(12));
-  ImGui::AlignTextToFramePadding();
-  show_text("Tolerance");
-  tooltip("Maximum mean FLIP of any tile of about 16 x 16 pixels. 0.05 is hard to see, 0.3 is obvious.");
-  ImGui::SameLine(0, px(6));
-  number("tolerance", tolerance_, {.minimum = 0, .maximum = 0.5},
-         {.tooltip = "Drag it, or turn the wheel over it.", .width = px(110)});
-  const std::string words = fmt::format("FLIP: {}", tolerance_words(tolerance_));
-  same_line_if_room(text_width(words), px(6));
-  ImGui::AlignTextToFramePadding();
-  value_text("tolerance-words", words);
+  tolerance_control(tolerance_);
 }
 
-std::string NeedsTab::about(const Session&) const {
+std::string OptionNeeds::about(const Session&) const {
   if (!found) return {};
   return fmt::format("{}, options of {}: {} pictures tried.", scene_name_, letter_of(measured_side_),
                      work.status().done);
 }
 
-void NeedsTab::invitation() const {
+void OptionNeeds::invitation() const {
   ImGui::Spacing();
   quiet_text(
       "What does this scene need? Each feature is switched off once, to see how much of the picture and of the time "
       "depends on it. Then the cheapest settings are searched for whose worst tile differs by at most the tolerance.");
   if (const auto known = estimate.found())
-    quiet_text(fmt::format("This takes at least {}. Each saving that is found adds a round ({}).",
-                           estimate_text(known->least), estimate_text(known->round)));
+    quiet_text(fmt::format("This takes {}. Each saving that is found adds a round ({}).",
+                           at_least(known->least.seconds), estimate_text(known->round)));
 }
 
-void NeedsTab::advice(Session& session) const {
+void OptionNeeds::advice(Session& session) const {
   const NeedsAdvice words = needs_advice(*found, base_);
   value_paragraph("verdict", words.verdict);
   if (words.changes.empty()) return;
@@ -127,7 +114,7 @@ void NeedsTab::advice(Session& session) const {
     session.set_settings(measured_side_, found->advice, fmt::format("{}: what the scene needs", letter));
 }
 
-void NeedsTab::draw_result(Session& session) {
+void OptionNeeds::draw_result(Session& session) {
   if (!found) {
     needs_known(session.settings(side_), session.traits(), letter_of(side_));
     return invitation();
@@ -158,7 +145,7 @@ std::optional<std::string> feature_value(const Needs& needs, std::string_view na
 
 }  // namespace
 
-std::optional<std::string> NeedsTab::value(std::string_view name) const {
+std::optional<std::string> OptionNeeds::value(std::string_view name) const {
   if (!found) return {};
   if (name == "sentence") return needs_sentence(scene_name_, *found);
   if (name == "error") return script_text(found->error);
@@ -168,7 +155,7 @@ std::optional<std::string> NeedsTab::value(std::string_view name) const {
   return {};
 }
 
-void NeedsTab::offer_found(Values& out) const {
+void OptionNeeds::offer_found(Values& out) const {
   out.offer_below("needs/", [this](std::string_view name) { return value(name); });
   out.offer_below("needs/of/",
                   [this](std::string_view name) { return found ? feature_value(*found, name) : std::nullopt; });

@@ -1,4 +1,5 @@
 #pragma once
+#include "gui/panels/studies/model_tab.h"
 #include "gui/panels/studies/needs_view.h"
 #include "gui/panels/studies/study.h"
 #include "study/needs.h"
@@ -6,8 +7,8 @@
 namespace ps::gui {
 
 /// Each feature's share of picture and cost, and the cheapest settings within a tolerance.
-struct NeedsTab : EstimatedStudy<Needs, NeedsEstimate> {
-  explicit NeedsTab(const PanelHost& host);
+struct OptionNeeds : EstimatedStudy<Needs, NeedsEstimate> {
+  explicit OptionNeeds(const PanelHost& host);
   void measure(Session& session) override;
   bool measures_times() const override { return measuring(); }
 
@@ -30,7 +31,18 @@ struct NeedsTab : EstimatedStudy<Needs, NeedsEstimate> {
   Side measured_side_ = Side::a;  ///< whose settings the advice is about
   Settings base_;                 ///< those settings
   std::string scene_name_;        ///< the scene they were measured with
-  NeedsThumbnails thumbnails_;
+  SmallPictures thumbnails_;
+};
+
+/// The needs of the scene: of its options, and of its model.
+class NeedsTab final : public StudyParts {
+ public:
+  /// `results`: where scenes that are applied lie; must outlive the tab.
+  NeedsTab(const PanelHost& host, const StudyFolder& results);
+
+ private:
+  OptionNeeds options_;
+  ModelTab model_;
 };
 
 }  // namespace ps::gui

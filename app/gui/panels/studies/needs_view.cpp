@@ -9,56 +9,12 @@
 #include "gui/panels/pictures/picture_text.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
+#include "options/difference_words.h"
 #include "options/scene_settings.h"
 #include "study/needs_words.h"
-#include "study/setting_words.h"
 
 namespace ps::gui {
 namespace {
-
-constexpr double number_width = 62, least_bar = 30;           // pixels at scale 1
-constexpr double thumbnail_height = 64, large_picture = 300;  // pixels at scale 1
-
-/// A number with a bar of that share of the cell, and a line at `limit` if there is one.
-void bar_cell(std::string_view name, double share, const std::string& text, std::optional<double> limit = {}) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
-  const float digits = px(number_width), bar = std::max(room - digits - px(8), px(least_bar));
-  ImGui::Dummy({room, height});
-  controls().record(name, text);
-  auto& list = *ImGui::GetWindowDrawList();
-  draw_text(at, {at.x + digits, at.y + height}, text, palette().text, 1, Face::mono);
-  const ImVec2 from{at.x + digits + px(8), at.y + px(3)}, to{from.x + bar, at.y + height - px(3)};
-  list.AddRectFilled(from, to, colour_u32(palette().line, 0.6));
-  const auto part = static_cast<float>(std::clamp(share, 0.0, 1.0));
-  list.AddRectFilled(from, {from.x + bar * part, to.y}, colour_u32(palette().text_quiet));
-  if (!limit) return;
-  const float x = from.x + bar * static_cast<float>(std::clamp(*limit, 0.0, 1.0));
-  list.AddLine({x, from.y - px(3)}, {x, to.y + px(3)}, colour_u32(palette().text), px(2));
-}
-
-/// One line over the width of the cell, cut where it is too long.
-void cell_line(std::string_view text, const ImVec4& colour, Face face = Face::body) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
-  draw_text(at, {at.x + room, at.y + height}, text, colour, 0, face);
-  ImGui::Dummy({room, height});
-}
-
-void column_heading(const char* text, const char* help) {
-  ImGui::TableNextColumn();
-  cell_line(text, palette().text_quiet, Face::bold);
-  tooltip(help);
-}
-
-void name_cell(std::string_view text) {
-  ImGui::TableNextColumn();
-  const bool cut = text_width(text) > ImGui::GetContentRegionAvail().x;
-  cell_line(text, palette().text);
-  if (cut) tooltip(text);
-}
-
-std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
 
 std::string changes_text(const Settings& from, const Settings& to) {
   return fmt::format("{}", fmt::join(settings_difference(from, to), ", "));
@@ -70,39 +26,6 @@ void time_cell(const FeatureShare& share) {
   const std::string text = "within noise";
   cell_line(text, palette().text_quiet);
   controls().record("time", text);
-}
-
-float thumbnail_width(const Needs& needs) {
-  if (!needs.picture || needs.picture->height() < 1) return px(thumbnail_height);
-  return px(thumbnail_height) * static_cast<float>(needs.picture->width()) /
-         static_cast<float>(needs.picture->height());
-}
-
-void thumbnail_cell(NeedsThumbnails& thumbnails, std::string_view name,
-                    const std::shared_ptr<const Image<Rgb8>>& picture) {
-  ImGui::TableNextColumn();
-  if (!picture) return;
-  NeedsThumbnails::One& one = thumbnails.pictures[std::string(name)];
-  if (one.of != picture) {
-    one.of = picture;
-    one.texture.upload(*picture);
-    one.texture.set_shrunk(true);
-  }
-  const float shape = static_cast<float>(picture->width()) / static_cast<float>(std::max(picture->height(), 1));
-  ImGui::Image(one.texture.id(), {px(thumbnail_height) * shape, px(thumbnail_height)});
-  controls().record("thumbnail", fmt::format("{}x{}", picture->width(), picture->height()));
-  if (!begin_tooltip()) return;
-  ImGui::Image(one.texture.id(), {px(large_picture) * shape, px(large_picture)});
-  end_tooltip();
-}
-
-void free_features(const Needs& needs) {
-  for (const FeatureShare& share : needs.shares) {
-    if (share.used) continue;
-    const std::string text = needs_free_sentence(share);
-    quiet_text(text);
-    controls().record(fmt::format("free/{}", share.feature.name), text_of(share.reason));
-  }
 }
 
 /// What became of the time, which need not follow the work.
@@ -147,7 +70,7 @@ NeedsAdvice needs_advice(const Needs& needs, const Settings& base) {
   return words;
 }
 
-void needs_shares(const Needs& needs, bool timed, NeedsThumbnails& thumbnails) {
+void needs_shares(const Needs& needs, bool timed, SmallPictures& thumbnails) {
   double largest = needs.tolerance * 1.5;
   bool any = false;
   for (const FeatureShare& share : needs.shares) {
@@ -156,7 +79,7 @@ void needs_shares(const Needs& needs, bool timed, NeedsThumbnails& thumbnails) {
   }
   ImGui::Spacing();
   if (any && ImGui::BeginTable("shares", timed ? 5 : 4, ImGuiTableFlags_SizingStretchProp)) {
-    ImGui::TableSetupColumn("thumbnail", ImGuiTableColumnFlags_WidthFixed, thumbnail_width(needs));
+    ImGui::TableSetupColumn("thumbnail", ImGuiTableColumnFlags_WidthFixed, thumbnail_width(needs.picture));
     ImGui::TableSetupColumn("feature", ImGuiTableColumnFlags_WidthStretch, 0.8f);
     ImGui::TableSetupColumn("picture", ImGuiTableColumnFlags_WidthStretch, 1.5f);  // it has the longest heading
     ImGui::TableSetupColumn("work", ImGuiTableColumnFlags_WidthStretch, 1);
@@ -197,11 +120,15 @@ void needs_shares(const Needs& needs, bool timed, NeedsThumbnails& thumbnails) {
     ImGui::EndTable();
   }
   quiet_text(settings_in_words(truth_sentence(needs)));
-  free_features(needs);
+  unused_features(needs.shares);
+}
+
+void unused_features(std::span<const FeatureShare> shares) {
+  value_paragraph("unused", unused_sentence(shares), {.quiet = true});
 }
 
 void needs_trail(const Needs& needs) {
-  const float digits = px(number_width + 20);
+  const float digits = px(cell_digits_width + 20);
   if (!ImGui::BeginTable("trail", 4, ImGuiTableFlags_SizingFixedFit)) return;
   ImGui::TableSetupColumn("taken", ImGuiTableColumnFlags_WidthFixed, px(52));
   ImGui::TableSetupColumn("change", ImGuiTableColumnFlags_WidthFixed,

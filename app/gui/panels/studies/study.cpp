@@ -1,20 +1,26 @@
 #include "gui/panels/studies/study.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
+#include <filesystem>
 
+#include "base/sentence.h"
+#include "document/number_list.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
+#include "options/option.h"
+#include "options/scene_settings.h"
+#include "study/needs_words.h"
 
 namespace ps::gui {
 namespace {
 
-constexpr double between_controls = 8, enough_height = 320, least_result = 110;  // pixels at scale 1
+constexpr double between_controls = 8, enough_height = 320, least_result = 110, parts_width = 180;  // pixels at scale 1
 
 /// As many whole sentences from the beginning as fit into one line.
 std::string sentences_that_fit(const std::string& text, float width) {
@@ -39,11 +45,6 @@ std::string progress_text(const BackgroundWork& work, const StudyWords& words) {
   return fmt::format("{}, {:.0f} %", words.preparing, 100 * work.fraction_of_render());
 }
 
-std::string with_capital(std::string text) {
-  if (!text.empty()) text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-  return text;
-}
-
 /// Share of all that is done; of the first picture before its units can be counted.
 double fraction_of(const BackgroundWork& work) {
   const StudyStatus status = work.status();
@@ -61,7 +62,7 @@ void pause_and_stop(BackgroundWork& work, const StudyWords& words) {
       work.set_paused(!paused);
     ImGui::SameLine(0, px(3));
   }
-  const std::string help = words.kept.empty() ? "" : with_capital(std::string(words.kept)) + ".";
+  const std::string help = words.kept.empty() ? "" : begun_large(std::string(words.kept)) + ".";
   if (button("cancel", "Stop", Emphasis::plain, {.tooltip = help, .width = 0})) work.cancel();
 }
 
@@ -147,7 +148,7 @@ std::string StudyFrame::state_line(const Session& session) const {
   const std::string counted = count_of(work_.status(), words_.unit);
   switch (work_.state()) {
   case StudyState::running:
-    return with_capital(progress_text(work_, words_));
+    return begun_large(progress_text(work_, words_));
   case StudyState::paused:
     return counted.empty() ? "Paused." : fmt::format("Paused after {}.", counted);
   case StudyState::failed:
@@ -182,6 +183,68 @@ PanelFacts study_facts(PanelFacts of) {
   of.use = PanelUse::study;
   of.height = PanelHeight::tall;
   return of;
+}
+
+bool StudyParts::draw(const Context& context) {
+  const NameScope scope(facts.name);
+  if (!session_.has_scene()) return false;
+  std::vector<Choice> choices;
+  for (const Part& part : parts_) choices.push_back(part.choice);
+  choice("shown", choices, shown_, {.width = px(parts_width)});
+  same_line_if_room(px(parts_width), px(between_controls));
+  return parts_[static_cast<std::size_t>(shown_)].study.draw_part(context.filled);
+}
+
+void StudyParts::offer(Values& out) {
+  for (const Part& part : parts_) part.study.offer(out);
+}
+
+void StudyParts::update() {
+  for (const Part& part : parts_) part.study.update();
+}
+
+bool StudyParts::busy() const {
+  return std::any_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.study.busy(); });
+}
+
+bool StudyParts::measures_times() const {
+  return std::any_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.study.measures_times(); });
+}
+
+std::string StudyParts::status() const {
+  for (const Part& part : parts_)
+    if (std::string text = part.study.status(); !text.empty()) return text;
+  return {};
+}
+
+std::string scene_key(const Session& session) {
+  const Document& document = session.document();
+  std::string text = document.scene_name;
+  std::error_code error;
+  const auto time = std::filesystem::last_write_time(document.scene_name, error);
+  if (!error) text += fmt::format(" {}", time.time_since_epoch().count());
+  for (const SceneEdit& edit : document.edits) text += fmt::format(" {}={}", edit.path, edit.value);
+  return text + " " + camera_text(session.view().camera);
+}
+
+std::string picture_key(const Session& session, Side side) {
+  const View view = session.view();
+  return fmt::format("{} {}x{} {}", scene_key(session), view.width, view.height,
+                     fmt::join(changed_options(session.settings(side)), ";"));
+}
+
+void tolerance_control(double& tolerance) {
+  same_line_if_room(text_width("Tolerance") + px(116), px(12));
+  ImGui::AlignTextToFramePadding();
+  show_text("Tolerance");
+  tooltip("Maximum mean FLIP of any tile of about 16 x 16 pixels. 0.05 is hard to see, 0.3 is obvious.");
+  ImGui::SameLine(0, px(6));
+  number("tolerance", tolerance, {.minimum = 0, .maximum = 0.5},
+         {.tooltip = "Drag it, or turn the wheel over it.", .width = px(110)});
+  const std::string words = fmt::format("FLIP: {}", tolerance_words(tolerance));
+  same_line_if_room(text_width(words), px(6));
+  ImGui::AlignTextToFramePadding();
+  value_text("tolerance-words", words);
 }
 
 bool StudyFrame::draw(const Context& context) {

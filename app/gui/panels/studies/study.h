@@ -4,9 +4,11 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "gui/base/seen.h"
 #include "gui/panels/panel.h"
+#include "gui/widgets/widgets.h"
 #include "gui/work/background_study.h"
 #include "study/estimate.h"
 
@@ -158,6 +160,37 @@ class EstimatedStudy : public Study<Found> {
 
   BackgroundStudy<Estimate> estimate;
 };
+
+/// Several studies in one panel, of which one is shown.
+class StudyParts : public Panel {
+ public:
+  bool draw(const Context& context) override;
+  void offer(Values& out) override;
+  void update() override;
+  bool busy() const override;
+  bool measures_times() const override;
+  std::string status() const override;
+
+ protected:
+  struct Part {
+    Choice choice;
+    StudyFrame& study;
+  };
+  StudyParts(const PanelHost& host, const PanelFacts& of) : Panel(host, study_facts(of)) {}
+  /// To be called once, when the studies are made; the first is shown.
+  void add(std::vector<Part> parts) { parts_ = std::move(parts); }
+
+ private:
+  std::vector<Part> parts_;
+  int shown_ = 0;
+};
+
+/// The scene with its edits, as new as its file, and the camera, as text.
+std::string scene_key(const Session& session);
+/// All that a picture of the open scene with a side's settings follows from, as text.
+std::string picture_key(const Session& session, Side side);
+/// The allowed FLIP of the worst tile, with what that means in words.
+void tolerance_control(double& tolerance);
 
 /// "12 of 40 runs, 8 s left"; "12 runs" where their total is unknown; empty before the first.
 std::string status_text(const StudyStatus& status, std::string_view unit);
