@@ -11,6 +11,7 @@
 #include "image/display.h"
 #include "image/file.h"
 #include "image/metrics.h"
+#include "options/option.h"
 #include "options/renderer_kind.h"
 #include "options/scene_settings.h"
 #include "scene/load.h"

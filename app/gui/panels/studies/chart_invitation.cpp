@@ -48,10 +48,9 @@ Area draw_axes(ImDrawList& list, const ChartTab& tab, const Area& area) {
 std::string sentence(const ChartTab& tab, std::string_view button, bool measuring) {
   if (measuring) return "The first point appears when the reference is rendered.";
   if (tab.setup.swept == Swept::model)
-    return fmt::format(
-        "{} finds what of the model no pixel would miss, as Needs does, and draws the way from the full to "
-        "the reduced model: time, work and memory against error, with the pictures below.",
-        button);
+    return fmt::format("{} weighs the model, as Needs does, and draws the way from the full to the reduced model, with "
+                       "the pictures below.",
+                       button);
   const std::size_t count = tab.plan.points.size();
   return fmt::format("{} renders {} picture{} and compares {} with the reference: {}.", button, count,
                      count == 1 ? "" : "s", count == 1 ? "it" : "each", settings_in_words(tab.plan.truth));
