@@ -19,6 +19,7 @@ void add_needs_command(CLI::App& app, Action& chosen);
 void add_stability_command(CLI::App& app, Action& chosen);
 void add_precision_command(CLI::App& app, Action& chosen);
 void add_causes_command(CLI::App& app, Action& chosen);
+void add_missing_command(CLI::App& app, Action& chosen);
 void add_lessons_command(CLI::App& app, Action& chosen);
 void add_listing_command(CLI::App& app, Action& chosen);
 void add_options_command(CLI::App& app, Action& chosen);

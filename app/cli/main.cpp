@@ -83,6 +83,7 @@ int main(int argc, char** argv) {
   ps::cli::add_stability_command(app, action);
   ps::cli::add_precision_command(app, action);
   ps::cli::add_causes_command(app, action);
+  ps::cli::add_missing_command(app, action);
   ps::cli::add_lessons_command(app, action);
   ps::cli::add_listing_command(app, action);
   ps::cli::add_options_command(app, action);

@@ -82,7 +82,8 @@ std::array<OptionRowResult, 2> option_pair(const Option& option, std::array<Sett
   const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight(), reset = px(26);
   const OptionColumns columns = option_columns(room);
   const CellForm form = form_of(words_of(option, settings), columns.width, room);
-  const bool differ = option.get(settings[0]) != option.get(settings[1]);
+  const bool a_alone = !context.b_has_none.empty();
+  const bool differ = !a_alone && option.get(settings[0]) != option.get(settings[1]);
   const std::array<Waking, 2> waking{waking_of(option, settings[0], traits), waking_of(option, settings[1], traits)};
   const std::array<bool, 2> rests{!waking[0].reason.empty(), !waking[1].reason.empty()};
   const bool both_rest = rests[0] && rests[1];
@@ -125,6 +126,13 @@ std::array<OptionRowResult, 2> option_pair(const Option& option, std::array<Sett
     const ImVec2 at = form.stacked ? ImVec2{start.x, cells_top + form.height * static_cast<float>(i)}
                                    : ImVec2{start.x + (i == 0 ? columns.a : columns.b), cells_top};
     const float width = form.stacked ? room : columns.width;
+    if (a_alone && both_sides[i] == Side::b) {
+      ImGui::SetCursorScreenPos(at);
+      ImGui::Dummy({width, form.height});
+      tooltip(context.b_has_none);
+      draw_text({at.x + px(8), at.y}, {at.x + width, at.y + form.height}, "–", p.text_quiet, 0);
+      continue;
+    }
     ControlStyle style{.width = width};
     style.idle = [&, i](std::size_t choice) {
       return text_of(inactive_choice_reason(option, option.choices[choice], settings[i], traits));
@@ -151,7 +159,9 @@ std::array<OptionRowResult, 2> option_pair(const Option& option, std::array<Sett
     results[i].request = OptionRequest::wake;
     results[i].waking = waking[i];
   };
-  if (same_need)
+  if (a_alone)
+    take(rests[0] ? need_lines(option, waking[0], std::array{Side::a}, "A ", room) : std::nullopt);
+  else if (same_need)
     take(need_lines(option, waking[0], both_sides, {}, room));
   else
     for (std::size_t i = 0; i < 2; ++i)

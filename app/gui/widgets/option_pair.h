@@ -8,6 +8,7 @@ namespace ps::gui {
 struct OptionPairContext {
   Side picked = Side::a;  ///< the picture that the row follows: its cell is a field, the other one is quiet
   bool highlight = false;
+  std::string_view b_has_none{};  ///< not empty: B has no options, for this reason; its cells are empty
 };
 
 /// A row of the table of both pictures' options: the label, and below it (beside it where there is room) the values of

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "gui/base/region_names.h"
@@ -18,8 +19,11 @@
 namespace ps::gui {
 namespace {
 
+/// A picture file in B's place has no options.
+bool only_a(const Session& session) { return session.picture_b() != nullptr; }
+
 bool differs(const Option& option, const Session& session) {
-  return option.get(session.settings(Side::a)) != option.get(session.settings(Side::b));
+  return !only_a(session) && option.get(session.settings(Side::a)) != option.get(session.settings(Side::b));
 }
 
 /// Groups that show most of what changes a picture are open at the first start.
@@ -60,7 +64,8 @@ void column_heads(Session& session) {
     draw_text({min.x + px(8), min.y}, {max.x, max.y - px(3)}, letter, p.text, 0, Face::bold);
     const FontScope small(Face::small);
     const float room = max.x - px(2) - min.x - px(26);
-    const std::string renderer = whole_words(renderer_label(session.settings(side).renderer), room);
+    const bool file = side == Side::b && only_a(session);
+    const std::string renderer = file ? "file" : whole_words(renderer_label(session.settings(side).renderer), room);
     if (text_width(renderer) <= room)
       draw_text({min.x + px(26), min.y}, {max.x - px(2), max.y - px(3)}, renderer, p.text, 0);
     controls().record(side == Side::a ? "a" : "b", is_picked ? "on" : "off");
@@ -78,7 +83,9 @@ void commands(Session& session) {
   if (button("more", "…", Emphasis::quiet, {.tooltip = "Copy, swap or reset all options."})) ImGui::OpenPopup("##more");
   if (!ImGui::BeginPopup("##more")) return;
   const bool equal = session.settings(Side::a) == session.settings(Side::b);
-  const std::string_view same = equal ? "A and B have the same options." : "";
+  const std::string_view same = only_a(session) ? "B is a picture file."
+                                : equal         ? "A and B have the same options."
+                                                : "";
   if (menu_item("copy-to-other", fmt::format("Copy all options of {} to {}", here, there), {}, false, same))
     session.set_settings(other, session.settings(picked), fmt::format("copy options of {} to {}", here, there));
   if (menu_item("swap", "Swap the options of A and B", {}, false, same))
@@ -92,6 +99,17 @@ void commands(Session& session) {
   ImGui::EndPopup();
 }
 
+/// In place of B's options.
+void file_note(Session& session) {
+  const auto file = session.picture_b();
+  if (!file) return;
+  const std::string name = std::filesystem::path(file->path).filename().string();
+  value_paragraph("b-is-file", fmt::format("B is {}: a file has no options.", name), {Face::small, true});
+  tooltip(file->path);
+  if (button("render-b", "Render B again", Emphasis::plain, {.tooltip = "Shows the scene in B, as before the file."}))
+    session.close_picture_b();
+}
+
 void header(Session& session, OptionsPanelState& state) {
   const float room = ImGui::GetContentRegionAvail().x, more = button_width("…"), between = px(4);
   const float field = room - more - between, lens = px(52);  // with the field's margins
@@ -102,6 +120,7 @@ void header(Session& session, OptionsPanelState& state) {
   const bool wide = text_width("Only differences") + px(44) <= room;
   toggle("only-differences", wide ? "Only differences" : "Differences", state.only_differences,
          {.tooltip = "Shows only options that differ between A and B."});
+  file_note(session);
   column_heads(session);
   controls().record("side", std::string(1, static_cast<char>(letter_of(session.document().picked) - 'A' + 'a')));
 }
@@ -110,7 +129,8 @@ void row(const PanelHost& host, OptionsPanelState& state, const Option& option) 
   Session& session = host.session;
   std::array<Settings, 2> settings{session.settings(Side::a), session.settings(Side::b)};
   OptionPairContext context;
-  context.picked = session.document().picked;
+  context.picked = inspected_side(session);
+  if (only_a(session)) context.b_has_none = "B is a picture file, which has no options.";
   context.highlight = state.pointed == &option;
   const bool come = context.highlight && std::exchange(state.come_to_pointed, false);
   const auto results = option_pair(option, settings, session.traits(), context);
@@ -146,7 +166,8 @@ GroupRows group_rows(const Session& session, OptionsPanelState& state, std::size
     // A row that differs, or that something points at, keeps its place.
     const bool keeps_place = differ || state.pointed == &option;
     const bool rests = !keeps_place && std::all_of(both_sides.begin(), both_sides.end(), [&](Side side) {
-      return !waking_of(option, session.settings(side), session.traits()).reason.empty();
+      return (side == Side::b && only_a(session)) ||
+             !waking_of(option, session.settings(side), session.traits()).reason.empty();
     });
     (rests ? group.resting : group.acting).push_back(&option);
   }

@@ -9,12 +9,14 @@
 
 #include "document/document_provenance.h"
 #include "engine/screen_names.h"
+#include "frame/display_frame.h"
 #include "gui/base/region_names.h"
 #include "gui/panels/pictures/picture_text.h"
 #include "gui/panels/story/ledger_view.h"
 #include "gui/session/pixel_words.h"
 #include "gui/session/select_event.h"
 #include "gui/widgets/draw.h"
+#include "inspect/missing_term.h"
 #include "inspect/story_json.h"
 #include "math/conventions.h"
 
@@ -115,6 +117,8 @@ void file_pixel(Session& session, Vec2i pixel, const std::shared_ptr<const Pixel
     value_paragraph("b/difference",
                     fmt::format("B − A: {:+} red, {:+} green, {:+} blue (of 255). The story below is that of A.",
                                 level.r - own[0], level.g - own[1], level.b - own[2]));
+    const auto display = display_transform(session.settings(Side::a));
+    value_paragraph("b/missing", find_missing_term(*ours, display, level).sentence, {Face::bold});
   }
 }
 

@@ -142,8 +142,8 @@ std::string ModelTab::expected() const {
   return known ? at_least(known->seconds) : unknown_time();
 }
 
-void ModelTab::choices(Session&) {
-  side_choice(side_, "With the options of picture A.", "With the options of picture B.");
+void ModelTab::choices(Session& session) {
+  side_choice(session, side_, "With the options of picture A.", "With the options of picture B.");
   static constexpr std::array views{Choice{"one", "This view", "The reduced scene need only hold for the picture."},
                                     Choice{"around", "8 around", "Eight views on a circle around what is seen."}};
   same_line_if_room(px(170), px(8));
@@ -152,7 +152,7 @@ void ModelTab::choices(Session&) {
 }
 
 std::string ModelTab::about(const Session& session) const {
-  if (!found) return {};
+  if (!found) return why_not_b(session);
   return fmt::format("{}, options of {}, {}. {} pictures drawn.{}", scene_name_, letter_of(measured_side_),
                      bound_words(*found), found->pictures,
                      key_ == picture_key(session, measured_side_) ? "" : " Scene, view or options have changed since.");

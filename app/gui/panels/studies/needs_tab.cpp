@@ -74,13 +74,13 @@ std::string OptionNeeds::expected() const {
   return known ? fmt::format("{}, {} pictures", at_least(known->least.seconds), known->least.pictures) : unknown_time();
 }
 
-void OptionNeeds::choices(Session&) {
-  side_choice(side_, "Starts from the options of picture A.", "Starts from the options of picture B.");
+void OptionNeeds::choices(Session& session) {
+  side_choice(session, side_, "Starts from the options of picture A.", "Starts from the options of picture B.");
   tolerance_control(tolerance_);
 }
 
-std::string OptionNeeds::about(const Session&) const {
-  if (!found) return {};
+std::string OptionNeeds::about(const Session& session) const {
+  if (!found) return why_not_b(session);
   return fmt::format("{}, options of {}: {} pictures tried.", scene_name_, letter_of(measured_side_),
                      work.status().done);
 }

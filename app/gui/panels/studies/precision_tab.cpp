@@ -137,10 +137,10 @@ void PrecisionTab::took(Session&) {
   for (Texture& texture : textures_) texture.set_shrunk(true);
 }
 
-void PrecisionTab::choices(Session&) { side_choice(side_, "Picture A.", "Picture B."); }
+void PrecisionTab::choices(Session& session) { side_choice(session, side_, "Picture A.", "Picture B."); }
 
-std::string PrecisionTab::about(const Session&) const {
-  return found ? fmt::format("{}, picture {}", found->scene_name, letter_of(found->side)) : "";
+std::string PrecisionTab::about(const Session& session) const {
+  return found ? fmt::format("{}, picture {}", found->scene_name, letter_of(found->side)) : why_not_b(session);
 }
 
 void PrecisionTab::draw_result(Session& session) {

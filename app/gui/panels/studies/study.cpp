@@ -81,9 +81,18 @@ std::string status_text(const StudyStatus& status, std::string_view unit) {
   return text + fmt::format(", {:.0f} min left", std::ceil(left / 60));
 }
 
-void side_choice(Side& side, std::string_view help_a, std::string_view help_b) {
+std::string why_not_b(const Session& session) {
+  const auto file = session.picture_b();
+  if (!file) return {};
+  return fmt::format("B is the picture file {}: it has no options, and is not rendered.",
+                     std::filesystem::path(file->path).filename().string());
+}
+
+void side_choice(const Session& session, Side& side, std::string_view help_a, std::string_view help_b) {
   const std::array sides{Choice{"a", "A", help_a}, Choice{"b", "B", help_b}};
-  choice_of("side", sides, side, {.width = px(80)});
+  const std::string only_a = why_not_b(session);
+  if (!only_a.empty()) side = Side::a;
+  choice_of("side", sides, side, {.disabled = only_a, .width = px(80)});
 }
 
 bool StudyFrame::busy() const { return measuring() || (estimate_ && estimate_->running()); }

@@ -195,7 +195,10 @@ void tolerance_control(double& tolerance);
 /// "12 of 40 runs, 8 s left"; "12 runs" where their total is unknown; empty before the first.
 std::string status_text(const StudyStatus& status, std::string_view unit);
 
-/// Two buttons, A and B.
-void side_choice(Side& side, std::string_view help_a, std::string_view help_b);
+/// Why B cannot be measured, where a picture file is in its place; else empty.
+std::string why_not_b(const Session& session);
+
+/// Two buttons, A and B; only A where B is a file.
+void side_choice(const Session& session, Side& side, std::string_view help_a, std::string_view help_b);
 
 }  // namespace ps::gui

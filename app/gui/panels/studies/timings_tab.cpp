@@ -110,7 +110,7 @@ bool of_these(const FoundTiming& found, const Results& results) {
 }
 
 Results results_of(Session& session) {
-  return {session.renderer(Side::a).result(), session.renderer(Side::b).result()};
+  return {session.renderer(Side::a).result(), session.picture_b() ? nullptr : session.renderer(Side::b).result()};
 }
 
 /// The code path of each picture, and why it was not a faster one.
@@ -186,7 +186,7 @@ void TimingsTab::measure(Session& session) {
 }
 
 std::string TimingsTab::reason_against(Session& session) const {
-  if (session.picture_b()) return "B is a picture file.";
+  if (const std::string reason = why_not_b(session); !reason.empty()) return reason;
   const Results results = results_of(session);
   for (const Side side : both_sides)
     if (!results[index_of(side)] || session.renderer(side).status().state != RenderState::done)

@@ -23,7 +23,7 @@ struct TimingsTab : Study<FoundTiming> {
 
  protected:
   void draw_result(Session& session) override;
-  std::string about(const Session&) const override { return {}; }
+  std::string about(const Session& session) const override { return why_not_b(session); }
   std::string measure_word() const override { return std::string(words_.measure); }
   std::string reason_against(Session& session) const override;
   /// Stops as well when the pictures have become others.

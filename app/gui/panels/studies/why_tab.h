@@ -1,9 +1,13 @@
 #pragma once
 #include <array>
+#include <memory>
+#include <optional>
 
 #include "gui/panels/studies/study.h"
 #include "gui/platform/texture.h"
+#include "inspect/missing_term.h"
 #include "study/difference_by_cause.h"
+#include "study/missing_feature.h"
 #include "study/precision_map.h"
 
 namespace ps::gui {
@@ -22,6 +26,28 @@ struct CausesTab : Study<DifferenceByCause> {
  private:
   std::array<Settings, 2> compared_;  ///< the settings that the causes are about
 };
+
+/// The answer to "what is missing?", with the file and the settings that it is about.
+struct MissingFound {
+  std::shared_ptr<const PictureFile> file;
+  Settings settings;
+  MissingFeature feature;
+};
+
+/// The difference between A and a picture file in B's place: at the picked pixel by the rows of A's sum, and over the
+/// picture by changes of A.
+struct MissingTab : Study<MissingFound> {
+  explicit MissingTab(const PanelHost& host);
+  void measure(Session& session) override;
+
+ protected:
+  void draw_result(Session& session) override;
+  std::string about(const Session& session) const override;
+  void offer_found(Values& out) const override;
+};
+
+/// The rows of A's sum at the picked pixel beside the file in B's place; nullopt without a file, a pixel or its story.
+std::optional<MissingTerm> missing_term_of(Session& session);
 
 /// What one side's arithmetic gets wrong, with what it was measured for.
 struct PrecisionFound {
@@ -48,18 +74,20 @@ struct PrecisionTab : Study<PrecisionFound> {
   std::array<Texture, 2> textures_;  ///< faults, gaps
 };
 
-/// Both, one of them shown.
+/// One of them is shown: the precision of a picture, or what makes A and B differ, which is another question where B is
+/// a file.
 class WhyTab final : public Panel {
  public:
   explicit WhyTab(const PanelHost& host);
   bool draw(const Context& context) override;
   void offer(Values& out) override;
   void update() override;
-  bool busy() const override { return causes_.busy() || precision_.busy(); }
+  bool busy() const override { return causes_.busy() || missing_.busy() || precision_.busy(); }
   std::string status() const override;
 
  private:
   CausesTab causes_;
+  MissingTab missing_;
   PrecisionTab precision_;
   enum class Shown { causes, precision } shown_ = Shown::causes;
 };
