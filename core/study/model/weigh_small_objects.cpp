@@ -8,7 +8,7 @@ namespace ps::model {
 namespace {
 
 constexpr double most_pixels = 64;      ///< of a small object: a quarter of a tile, by which changes are judged
-constexpr double most_share = 0.01;     ///< of the pixels of all views; in a tiny picture fewer pixels are much
+constexpr double most_share = 0.002;    ///< of the pixels of all views; in a tiny picture each pixel is much
 constexpr std::size_t most_tried = 16;  ///< objects that are left out one by one
 
 struct ObjectLoss {
