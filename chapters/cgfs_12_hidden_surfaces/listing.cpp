@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "options/listing.h"
 #include "record/watch.h"
@@ -65,6 +66,29 @@ void draw_triangle(const BookScene& scene, BookCanvas& canvas, const std::array<
   }
 }
 
+// The line of chapter 6.
+void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour) {
+  const bool along_x = std::abs(p1.x - p0.x) > std::abs(p1.y - p0.y);
+  if (along_x ? p1.x < p0.x : p1.y < p0.y) std::swap(p0, p1);
+  const double first = along_x ? p0.x : p0.y, last = along_x ? p1.x : p1.y;
+  const auto others = along_x ? interpolate(first, p0.y, last, p1.y) : interpolate(first, p0.x, last, p1.x);
+  for (double step = first; step <= last; ++step) {
+    const double other = entry(others, step, first);
+    const Vec2d place = along_x ? Vec2d(step, other) : Vec2d(other, step);
+    PS_PIXEL(place.x, place.y);
+    PS_WATCH("place", place);
+    canvas.put_pixel(place.x, place.y, colour);
+    PS_WATCH("colour", colour);
+  }
+}
+
+// The author's program shows the triangles by their edges, which do not ask for depth.
+void draw_outline(BookCanvas& canvas, const std::array<Vec2d, 3>& projected, const Vec3d& colour) {
+  const auto order = sorted_by_height(projected);
+  for (const auto& [from, to] : {std::array<std::size_t, 2>{0, 1}, {0, 2}, {2, 1}})
+    draw_line(canvas, projected[order[from]], projected[order[to]], colour * 0.75);
+}
+
 void draw(const BookScene& scene, BookCanvas& canvas) {
   for (const BookInstance& instance : scene.instances) {
     PS_REACHING("instance", instance.name);
@@ -87,6 +111,7 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
       const Vec3d colour = surface_of(scene, instance, triangle).colour;
       PS_WATCH("colour", colour);
       draw_triangle(scene, canvas, p, seen, colour);
+      if (scene.settings.draw == Draw::outlined) draw_outline(canvas, p, colour);
     }
   }
 }
@@ -101,7 +126,7 @@ const Listing cgfs_12_hidden_surfaces{
     .source = "CGFS ch. 12",
     .shows = "Models in plain colours, with a depth buffer and without back faces.",
     .order = ListingOrder::object_by_object,
-    .reads = {"visibility", "backface-culling"},
+    .reads = {"visibility", "backface-culling", "draw"},
     .draws = {.models = true},
     .suits = [](const SceneTraits& traits,
                 const Settings& settings) { return !traits.triangles   ? 0

@@ -52,7 +52,8 @@ double compute_illumination(const BookScene& scene, const Vec3d& point, const Ve
 
     const double diffuse = dot(to_light, normal) / (length(to_light) * length(normal));
     PS_WATCH("cosine to the light", diffuse);
-    if (diffuse > 0) intensity += diffuse * light.intensity;
+    if (scene.settings.diffuse && diffuse > 0) intensity += diffuse * light.intensity;
+    PS_WATCH("with diffuse", intensity);
 
     if (scene.settings.specular && specular != -1) {
       const Vec3d reflected = normal * (2 * dot(normal, to_light)) - to_light;
@@ -185,7 +186,7 @@ const Listing cgfs_13_shading{
     .source = "CGFS ch. 13",
     .shows = "Lit models: one intensity for a triangle, for each vertex, or for each pixel.",
     .order = ListingOrder::object_by_object,
-    .reads = {"shading", "normals", "specular", "demo-slips"},
+    .reads = {"shading", "normals", "diffuse", "specular", "demo-slips"},
     .draws = {.models = true, .light = true},
     .as_settings =
         [](Settings& settings) {

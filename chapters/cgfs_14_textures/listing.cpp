@@ -50,7 +50,8 @@ double compute_illumination(const BookScene& scene, const Vec3d& point, const Ve
     PS_WATCH("to light", to_light);
     const double diffuse = dot(to_light, normal) / (length(to_light) * length(normal));
     PS_WATCH("cosine to the light", diffuse);
-    if (diffuse > 0) intensity += diffuse * light.intensity;
+    if (scene.settings.diffuse && diffuse > 0) intensity += diffuse * light.intensity;
+    PS_WATCH("with diffuse", intensity);
 
     if (scene.settings.specular && specular != -1) {
       const Vec3d reflected = normal * (2 * dot(normal, to_light)) - to_light;
@@ -70,10 +71,8 @@ double compute_illumination(const BookScene& scene, const Vec3d& point, const Ve
   return intensity;
 }
 
-// The nearest texel up and to the left.
-Vec3d read_texel(const Texture& texture, const Vec2d& uv, bool demo_slips) {
+Vec3d read_texel(const Texture& texture, double column, double row, bool demo_slips) {
   const int width = texture.texels->width(), height = texture.texels->height();
-  double column = std::trunc(uv.x * width), row = std::trunc(uv.y * height);
   PS_WATCH("texel", Vec2d(column, row));
   if (!demo_slips) {
     column = std::min(std::max(column, 0.0), width - 1.0);
@@ -84,6 +83,25 @@ Vec3d read_texel(const Texture& texture, const Vec2d& uv, bool demo_slips) {
   if (!(index >= 0 && index < static_cast<double>(width) * height))
     return Vec3d(std::numeric_limits<double>::quiet_NaN());
   return texel_of(texture, static_cast<std::size_t>(index));
+}
+
+// The nearest texel up and to the left, or the four around the place, by how near each of them is.
+Vec3d read_texture(const Texture& texture, const Vec2d& uv, const Settings& settings) {
+  const bool slips = settings.demo_slips;
+  const double x = uv.x * texture.texels->width(), y = uv.y * texture.texels->height();
+  if (settings.texture_filter != TextureFilter::bilinear)
+    return read_texel(texture, std::trunc(x), std::trunc(y), slips);
+  // Texels lie at the centres of their squares. The demo's trunc() goes towards 0, floor() to the left of it too.
+  const double column = slips ? std::trunc(x - 0.5) : std::floor(x - 0.5);
+  const double row = slips ? std::trunc(y - 0.5) : std::floor(y - 0.5);
+  const double right = x - 0.5 - column, below = y - 0.5 - row;
+  // The slip: the fourth texel is two rows below the first one, in place of one below and to the right.
+  const Vec2d fourth = slips ? Vec2d(column, row + 2) : Vec2d(column + 1, row + 1);
+  const Vec3d upper =
+      read_texel(texture, column, row, slips) * (1 - right) + read_texel(texture, column + 1, row, slips) * right;
+  const Vec3d lower = read_texel(texture, column, row + 1, slips) * (1 - right) +
+                      read_texel(texture, fourth.x, fourth.y, slips) * right;
+  return upper * (1 - below) + lower * below;
 }
 
 // sorted_by_height() and interpolate_edges() are the sort and the join of chapter 7.
@@ -133,7 +151,7 @@ void draw_triangle(const BookScene& scene, BookCanvas& canvas, const Seen& seen)
       if (seen.surface.texture) {
         const Vec2d uv = perspective ? Vec2d(here.x / here.z, here.y / here.z) : Vec2d(here.x, here.y);
         PS_WATCH("u, v", uv);
-        colour = read_texel(*seen.surface.texture, uv, scene.settings.demo_slips);
+        colour = read_texture(*seen.surface.texture, uv, scene.settings);
       }
       PS_WATCH("local colour", colour);
       canvas.put_pixel(column, row, colour * intensity);
@@ -188,7 +206,7 @@ const Listing cgfs_14_textures{
     .source = "CGFS ch. 14",
     .shows = "Lit and textured models, perspective-correct or not.",
     .order = ListingOrder::object_by_object,
-    .reads = {"interpolation", "specular", "demo-slips"},
+    .reads = {"interpolation", "diffuse", "specular", "texture-filter", "demo-slips"},
     .draws = {.models = true, .light = true, .textures = true},
     .as_settings =
         [](Settings& settings) {

@@ -68,15 +68,18 @@ const Triangle* nearest(const std::vector<Triangle>& triangles, const Vec3d& ori
 
 // Which share of the light from one direction a surface scatters to another one: Lambert's law and a highlight that
 // is brighter the sharper it is.
-Vec3d scattered(const Material& material, const Vec3d& normal, const Vec3d& to_light, const Vec3d& to_eye) {
-  Vec3d share = material.colour / pi;
+// Lights may have another colour in highlights.
+Vec3d scattered(const Material& material, const Light& light, const Vec3d& normal, const Vec3d& to_light,
+                const Vec3d& to_eye) {
+  Vec3d share = material.colour / pi * light.colour;
   if (material.specular) {
     const Vec3d half = to_light / length(to_light) + to_eye / length(to_eye);
     const double cosine = dot(normal, half) / (length(normal) * length(half));
     PS_WATCH("N . H", cosine);
     const double s = *material.specular;
     if (cosine > 0)
-      share += material.specular_colour.value_or(material.colour) * ((s + 8) / (8 * pi) * power(cosine, s));
+      share += material.specular_colour.value_or(material.colour) * ((s + 8) / (8 * pi) * power(cosine, s)) *
+               highlight_colour(light);
   }
   return share;
 }
@@ -94,6 +97,11 @@ Vec3d shade(const BookScene& scene, const std::vector<Triangle>& triangles, cons
     const bool is_point = light.kind == LightKind::point;
     const Vec3d to_light = is_point ? light.position - point : light.direction;
     PS_WATCH("to light", to_light);
+    // A point light spreads its power over a sphere.
+    const double distance = length(to_light);
+    const double arriving = is_point ? light.intensity / (4 * pi * distance * distance) : light.intensity;
+    radiance += material.ambient_colour.value_or(material.colour) * light.ambient_colour * arriving;
+
     double t = 0;
     Vec3d unused(0);
     const Triangle* blocker =
@@ -101,14 +109,12 @@ Vec3d shade(const BookScene& scene, const std::vector<Triangle>& triangles, cons
     PS_WATCH("blocked by", blocker ? blocker->object : "nothing");
     if (blocker) continue;
 
-    // A point light spreads its power over a sphere, and a surface at an angle catches less of it.
-    const double distance = length(to_light);
-    const double arriving = is_point ? light.intensity / (4 * pi * distance * distance) : light.intensity;
     PS_WATCH("arriving", arriving);
+    // A surface at an angle catches less of it.
     const double cosine = dot(normal, to_light) / (length(normal) * distance);
     PS_WATCH("cosine", cosine);
     if (cosine <= 0) continue;
-    radiance += scattered(material, normal, to_light, to_eye) * light.colour * (arriving * cosine);
+    radiance += scattered(material, light, normal, to_light, to_eye) * (arriving * cosine);
     PS_WATCH("radiance so far", radiance);
   }
   return radiance;

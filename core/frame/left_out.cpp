@@ -27,13 +27,12 @@ std::optional<LeftOut> missing_light(const SceneTraits& traits, const Settings& 
 }
 
 bool asks_for_shadows(const SceneTraits& traits, const Settings& settings) {
-  return settings.lighting && settings.draw == Draw::filled && traits.casting_lights &&
-         settings.shadows != Shadows::none;
+  return settings.lighting && fills(settings.draw) && traits.casting_lights && settings.shadows != Shadows::none;
 }
 
 bool asks_for_reflections(const SceneTraits& traits, const Settings& settings) {
   const bool mirrors = traits.mirrors || (traits.reflection_maps && !settings.textures);
-  return mirrors && settings.draw == Draw::filled && settings.reflection_depth > 0;
+  return mirrors && fills(settings.draw) && settings.reflection_depth > 0;
 }
 
 }  // namespace ps

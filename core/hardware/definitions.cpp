@@ -23,7 +23,7 @@ class Lines {
 
 /// As the names in shader_text.cpp.
 int shading_number(const Settings& settings) {
-  if (!settings.lighting || settings.draw != Draw::filled) return 0;
+  if (!settings.lighting || !fills(settings.draw)) return 0;
   switch (settings.shading) {
   case Shading::phong:
     return 1;
@@ -58,11 +58,12 @@ Lines of_picture(const PicturePlan& plan, int shading, bool clip_control, Progra
       lines.add(name, static_cast<int>(option.get(s)));
   lines.add("PERSPECTIVE", plan.perspective())
       .add("AFFINE", plan.affine())
-      .add("SNAPPED", s.vertex_snapping == VertexSnapping::cpu && s.draw == Draw::filled)
+      .add("SNAPPED", s.vertex_snapping == VertexSnapping::cpu && fills(s.draw))
       .add("CLIP_CONTROL", clip_control)
       .add("SHADING", shading)
       .add("LIGHTS", static_cast<int>(plan.lights.size()))
       .add("ONE_LIGHT", lights_separately(plan))
+      .add("TERM_COLOURS", plan.term_colours)
       .add("EXACT_PLACES", plan.exact_places)
       .add("SHADOW_MAPS", plan.maps_shadows)
       .add("DEPTH_BY_SHADER", !driver_keeps_depth(plan, clip_control))
@@ -80,7 +81,7 @@ std::string definitions(const PicturePlan& plan, const raster::Surface<float>& s
   const Settings& s = plan.settings;
   const raster::AttributeLayout& layout = surface.layout;
   const ShadingMaterial<float>& material = surface.material;
-  const bool filled = s.draw == Draw::filled;
+  const bool filled = fills(s.draw);
   const bool has_uv = filled && s.textures && layout.uv != raster::AttributeLayout::absent;
   const bool normal_map = filled && layout.mapped_normal;
   const bool relief = filled && layout.relief;

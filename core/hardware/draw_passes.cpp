@@ -10,6 +10,10 @@ bool lights_separately(const PicturePlan& plan) {
   return raster::lights_one_by_one(plan.settings) || plan.counts_volumes || maps_by_light;
 }
 
+int first_light(const PicturePlan& plan) {
+  return plan.counts_volumes || (plan.term_colours && lights_separately(plan)) ? -1 : 0;
+}
+
 std::vector<DrawPass> draw_passes(const PicturePlan& plan) {
   using Kind = DrawPass::Kind;
   const Settings& s = plan.settings;
@@ -20,7 +24,7 @@ std::vector<DrawPass> draw_passes(const PicturePlan& plan) {
   }
   std::vector<DrawPass> passes{{plan.defers ? Kind::geometry : Kind::depth}};
   // A stencil buffer lets no fragment of a shadow through, so what is there without light must be drawn before.
-  if (plan.counts_volumes) passes.push_back({Kind::light, -1, false, true});
+  if (first_light(plan) < 0) passes.push_back({Kind::light, -1, false, true});
   const bool counts_each = raster::lights_one_by_one(s) && !plan.counts_volumes;
   for (std::size_t i = 0; i < plan.lights.size(); ++i) {
     const bool adds = passes.size() > 1;

@@ -29,5 +29,7 @@ std::vector<DrawPass> draw_passes(const PicturePlan& plan);
 
 /// Are lights added up pass by pass?
 bool lights_separately(const PicturePlan& plan);
+/// The light of the first pass that shades: -1 where what no shadow stops has one of its own.
+int first_light(const PicturePlan& plan);
 
 }  // namespace ps::hardware

@@ -15,11 +15,7 @@
 #include "hardware/picture_units.h"
 
 namespace ps::hardware {
-namespace {
-
-constexpr std::size_t light_bytes = 3 * sizeof(Vec4f);
-
-}  // namespace
+namespace {}  // namespace
 
 PictureDrawer::PictureDrawer(const PicturePlan& plan, Workshop& shop)
     : plan_(plan), shop_(shop), keeps_depth_(driver_keeps_depth(plan, shop.driver().clip_control)),
@@ -86,7 +82,8 @@ void PictureDrawer::require_room_for_meshes() {
 }
 
 void PictureDrawer::upload_lights() {
-  const std::size_t most = static_cast<std::size_t>(shop_.driver().max_block_bytes) / light_bytes;
+  const std::size_t rows = plan_.term_colours ? 5 : 3;  // of a light, as lighting.glsl has them
+  const std::size_t most = static_cast<std::size_t>(shop_.driver().max_block_bytes) / (rows * sizeof(Vec4f));
   if (plan_.lights.size() > most)
     throw InputError(fmt::format("{} lights: this graphics driver holds at most {} of them in a uniform block",
                                  plan_.lights.size(), most));
@@ -95,11 +92,14 @@ void PictureDrawer::upload_lights() {
     values.emplace_back(light.colour, light.intensity);
     values.emplace_back(light.vector, static_cast<float>(light.kind));
     values.emplace_back(light.attenuation, light.attenuates ? 1.0f : 0.0f);
+    if (!plan_.term_colours) continue;
+    values.emplace_back(light.specular_colour, 0.0f);
+    values.emplace_back(light.ambient_colour, 0.0f);
   }
   if (shop_.lights == 0) glGenBuffers(1, &shop_.lights);
   glBindBuffer(GL_UNIFORM_BUFFER, shop_.lights);
-  glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(std::max<std::size_t>(values.size(), 3) * sizeof(Vec4f)),
-               nullptr, GL_STREAM_DRAW);
+  glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(std::max(values.size(), rows) * sizeof(Vec4f)), nullptr,
+               GL_STREAM_DRAW);
   glBufferSubData(GL_UNIFORM_BUFFER, 0, static_cast<GLsizeiptr>(values.size() * sizeof(Vec4f)), values.data());
   glBindBufferBase(GL_UNIFORM_BUFFER, lights_binding, shop_.lights);
 }

@@ -28,7 +28,7 @@ void PictureDrawer::set_state() {
     glEnable(GL_SCISSOR_TEST);
     glScissor(plan_.region->x0, plan_.region->y0, plan_.region->width(), plan_.region->height());
   }
-  const bool filled = s.draw == Draw::filled;
+  const bool filled = fills(s.draw);
   glPolygonMode(GL_FRONT_AND_BACK, filled ? GL_FILL : s.draw == Draw::wireframe ? GL_LINE : GL_POINT);
   glCullFace(GL_BACK);
 }
@@ -44,14 +44,14 @@ void PictureDrawer::set_pass(const DrawPass& pass) {
   glColorMaski(0, shades, shades, shades, shades);
   glDepthMask(pass.finds_depth());
   glDepthFunc(!pass.finds_depth() ? GL_EQUAL : plan_.depth.larger_is_nearer() ? GL_GREATER : GL_LESS);
-  if (plan_.settings.visibility == Visibility::depth_buffer && plan_.settings.draw == Draw::filled && !deferred)
+  if (plan_.settings.visibility == Visibility::depth_buffer && fills(plan_.settings.draw) && !deferred)
     glEnable(GL_DEPTH_TEST);
   else
     glDisable(GL_DEPTH_TEST);
   if (pass.finds_depth() || (deferred && !plan_.counts_volumes)) {
     glDisable(GL_STENCIL_TEST);
   } else {
-    const int shaded = plan_.counts_volumes ? 0 : std::max(pass.light, 0) % 256;
+    const int shaded = plan_.counts_volumes ? 0 : std::max(pass.light - first_light(plan_), 0) % 256;
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_EQUAL, shaded, stencil_mask());
     glStencilOp(GL_KEEP, GL_KEEP, GL_INCR_WRAP);
@@ -69,7 +69,7 @@ unsigned PictureDrawer::stencil_mask() const {
 
 void PictureDrawer::set_light(Program& program, const DrawPass& pass) {
   program.set("light_number", pass.light);
-  program.set("first_light", plan_.counts_volumes ? -1 : 0);
+  program.set("first_light", first_light(plan_));
 }
 
 void PictureDrawer::set_facing(std::size_t object) {

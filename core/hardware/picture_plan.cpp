@@ -41,6 +41,7 @@ PicturePlan make_plan(const Scene& scene, const View& view, const Settings& sett
   plan.maps_shadows = raster::uses_shadow_maps(settings, scene);
   plan.counts_volumes = raster::uses_stencil(settings, scene);
   plan.mirrors = raster::uses_environment(settings, scene);
+  plan.term_colours = prepared_traits(scene, prepared).term_colours;
   // A picture of the surroundings is read where its surface is drawn, which the shading of the whole picture is not.
   const bool pictures = std::any_of(plan.surfaces.list.begin(), plan.surfaces.list.end(),
                                     [&](const auto& surface) { return reflects_picture(plan, surface); });
@@ -71,7 +72,7 @@ bool mirrors(const PicturePlan& plan, const raster::Surface<float>& surface) {
 }
 
 bool reflects_picture(const PicturePlan& plan, const raster::Surface<float>& surface) {
-  return plan.settings.draw == Draw::filled && surface.layout.reflection_map;
+  return fills(plan.settings.draw) && surface.layout.reflection_map;
 }
 
 bool driver_keeps_depth(const PicturePlan& plan, bool clip_control) {

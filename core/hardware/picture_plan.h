@@ -39,6 +39,7 @@ struct PicturePlan {
   std::shared_ptr<const raster::EnvironmentMaps> environment;  ///< drawn before the picture, where it does
   bool counts_volumes = false;                                 ///< shadows are counted in a stencil buffer
   std::shared_ptr<const std::vector<std::vector<raster::ShadowVolume>>> volumes;  ///< by light, where it does
+  bool term_colours = false;                                                      ///< SceneTraits::term_colours
   bool defers = false;                                                            ///< shading
   bool exact_places = false;  ///< a light nearly touches a surface (SceneTraits::light_at_surface)
   double farthest = 1;        ///< camera z beyond which nothing lies

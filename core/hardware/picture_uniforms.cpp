@@ -127,6 +127,10 @@ void PictureDrawer::set_surface(Program& program, const raster::Surface<float>& 
     program.set("environment_layer", shop_.environment.first_layer(surface.object));
   }
   program.set("reflective", material.reflective);
+  if (surface.placing) {
+    program.set("placing", Mat3d(surface.placing->to_world));
+    program.set("placing_normals", Mat3d(surface.placing->normals));
+  }
   if (!plan_.textures) return;
   int unit = 0;
   for (const auto& [name, texture] : {std::pair{"surface", material.texture},

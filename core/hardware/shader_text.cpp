@@ -27,6 +27,7 @@ constexpr std::string_view names =
     "#define DEPTH_PLAIN 0\n#define DEPTH_UNIT_FLOAT 1\n#define DEPTH_UNORM 2\n"
     "#define PARALLAX_OFF 0\n#define PARALLAX_OFFSET 1\n#define PARALLAX_LIMITED 2\n#define PARALLAX_STEEP 3\n"
     "#define PARALLAX_OCCLUSION 4\n"
+    "#define UPRIGHT_IN_WORLD 0\n#define BY_INVERSE_TRANSPOSE 1\n"
     "#define PAGE_SEEN 0\n#define PAGE_WEIGHTS 1\n#define PAGE_SCREEN 2\n#define PAGE_NORMAL 3\n"
     "#define PAGE_UNMAPPED 4\n#define PAGE_UV 5\n#define PAGE_COLOUR 6\n#define PAGE_TEXEL 7\n"
     "#define PAGE_STORED 8\n#define PAGE_TANGENT 9\n#define PAGE_BITANGENT 10\n#define PAGE_RELIEF 11\n"

@@ -73,7 +73,7 @@ void StoryDrawer::report_surface(const NearTriangle& triangle, const Asked& aske
   const raster::Surface<float>& surface = plan_.surfaces.list[triangle.run.surface];
   const Settings& s = plan_.settings;
   const auto ask = [&](Page what) { return page(asked, what); };
-  if (s.draw != Draw::filled || surface.layout.uv == raster::AttributeLayout::absent) return;
+  if (!fills(s.draw) || surface.layout.uv == raster::AttributeLayout::absent) return;
   const Vec4d uv(ask(Page::uv));
   if (surface.layout.relief)
     if (const Vec4d relief(ask(Page::relief)); relief.w > 0)
@@ -157,7 +157,7 @@ void StoryDrawer::report_write(const FragmentEvent& fragment, NearTriangle& tria
   }
   if (!whole_picture) report_surface(triangle, asked);
   const Vec4f shaded = page(asked, Page::shaded);
-  if (plan_.settings.lighting && plan_.settings.draw == Draw::filled) {
+  if (plan_.settings.lighting && fills(plan_.settings.draw)) {
     report_lights(fragment, triangle, asked, pass, outcome);
     const auto ask = [&](Page what) { return page(asked, what); };
     const Vec4f unmirrored = shows_surroundings(triangle) ? ask(Page::unmirrored) : shaded;

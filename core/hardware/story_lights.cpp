@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "hardware/story_drawer.h"
+#include "shade/illumination.h"
 
 namespace ps::hardware {
 namespace {
@@ -18,6 +19,9 @@ LightEvent light_event(const PicturePlan& plan, int light, const Vec4f& to_light
   event.diffuse = static_cast<double>(terms.y);
   event.specular = static_cast<double>(terms.z);
   event.visible = static_cast<double>(terms.w);
+  const ShadingLight<float>& source = plan.lights[static_cast<std::size_t>(light)];
+  if (source.adds_ambient)
+    event.ambient = static_cast<double>(arriving(source, Vec3f(event.to_light), illumination_options(plan.settings)));
   event.below_horizon = event.kind != LightKind::ambient && !(to_light.w > 0);
   return event;
 }

@@ -54,7 +54,7 @@ bool StoryDrawer::depth_is_equal(const DrawPass& pass, const std::function<void(
 // In the state of the picture's own pass. Each sample is drawn alone, so that the driver reports which are written.
 StoryDrawer::Outcome StoryDrawer::draw_really(const DrawPass& pass, unsigned among, const std::function<void()>& draw) {
   Outcome outcome;
-  const bool tests = plan_.settings.visibility == Visibility::depth_buffer && plan_.settings.draw == Draw::filled;
+  const bool tests = plan_.settings.visibility == Visibility::depth_buffer && fills(plan_.settings.draw);
   const bool whole_picture = plan_.defers && pass.shades();
   bool equal = true;
   if (tests && !pass.finds_depth() && !whole_picture) equal = depth_is_equal(pass, draw);

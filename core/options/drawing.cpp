@@ -4,7 +4,7 @@ namespace ps::rows {
 namespace {
 
 Reason needs_filling(const Settings& s, const SceneTraits&) {
-  if (s.draw != Draw::filled) return needs("draw", Draw::filled);
+  if (!fills(s.draw)) return needs("draw", Draw::filled);
   return {};
 }
 
@@ -30,8 +30,14 @@ Reason needs_edge_functions(const Settings& s, const SceneTraits& t) {
   return {};
 }
 
+/// Lines cover whole pixels.
+Reason needs_nothing_but_filling(const Settings& s, const SceneTraits&) {
+  if (s.draw != Draw::filled) return needs("draw", Draw::filled);
+  return {};
+}
+
 Reason needs_lines(const Settings& s, const SceneTraits& t) {
-  if (s.draw != Draw::wireframe && !t.canvas_items)
+  if (s.draw != Draw::wireframe && s.draw != Draw::outlined && !t.canvas_items)
     return needs("draw", Draw::wireframe).said("needs draw = wireframe or a scene with lines");
   return {};
 }
@@ -62,16 +68,21 @@ std::vector<Option> drawing_rows() {
       choice<&Settings::draw>(
           {.key = "draw",
            .label = "Draw",
-           .help = {"The part of each triangle that is drawn.", "CGFS ch. 6 and 7", ""},
-           .keywords = "wireframe, lines, points, polygon mode, fill mode",
+           .help =
+               {"The part of each triangle that is drawn.", "CGFS ch. 6, 7 and 12",
+                "Outlines over filled triangles ask for no depth: an edge stays where the next triangles leave it."},
+           .keywords = "wireframe, lines, points, polygon mode, fill mode, outline, edges",
            .truth = other_picture(),
            .acts_for = ActsFor::fragments,
            .known_to = {.fast = {knows(fragment_batches, 10, Draw::filled).said("SIMD draws filled triangles only")},
-                        .hardware = any_value},
+                        .hardware = lacking("a driver draws filled triangles or their edges, not both in turn",
+                                            Draw::outlined)},
            .shown_by = {.experiments = none, .scenes = {{"cgfs/crates"}}}},
           {{"filled", "filled", "All pixels that it covers."},
            {"wireframe", "wireframe", "Its three edges."},
-           {"points", "points", "Its three vertices."}}),
+           {"points", "points", "Its three vertices."},
+           {"outlined", "filled, with outlines",
+            "All pixels that it covers, then its three edges in 3/4 of its colour."}}),
       choice<&Settings::canvas_fill>(
           {.key = "canvas-fill",
            .label = "Fill of canvas shapes",
@@ -174,7 +185,7 @@ std::vector<Option> drawing_rows() {
            .keywords = "AA, MSAA, antialias, antialiasing, anti-aliasing, jaggies, staircase, edges, coverage samples",
            .truth = pixel_average(),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_filling,
+           .inactive = needs_nothing_but_filling,
            .known_to = {.fast = {knows(fragment_batches, 50, 1)},
                         .hardware = as_driver_offers("the driver does not offer this number of samples per pixel")},
            .shown_by = {.experiments = none, .scenes = {{"cgfs/crates"}}}},

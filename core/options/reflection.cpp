@@ -5,7 +5,7 @@ namespace {
 
 Reason needs_mirrors(const Settings& s, const SceneTraits& t) {
   if (!t.reflective) return "no material of the scene reflects";
-  if (s.draw != Draw::filled) return needs("draw", Draw::filled);
+  if (!fills(s.draw)) return needs("draw", Draw::filled);
   return {};
 }
 
@@ -72,7 +72,8 @@ std::vector<Option> reflection_rows() {
              if (const auto reason = needs_bouncing_rays(s, t)) return reason;
              if (s.reflection_depth == 0)
                return needs("reflection-depth", Settings{}.reflection_depth).said("needs reflection-depth above 0");
-             if (s.self_hit == SelfHit::offset) return needs("self-hit", SelfHit::epsilon, SelfHit::normal_bump);
+             if (s.self_hit == SelfHit::offset || s.self_hit == SelfHit::exclusion)
+               return needs("self-hit", SelfHit::epsilon, SelfHit::normal_bump);
              return {};
            },
            .known_to = {.fast = any_value, .hardware = not_asked},

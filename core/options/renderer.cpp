@@ -187,7 +187,8 @@ std::vector<Option> renderer_rows() {
            .label = "Original bugs",
            .help = {"Reproduces known bugs of the book's demo programs instead of fixing them.",
                     "the programs that accompany CGFS",
-                    "With the bug, highlights are right only for a camera at the origin."},
+                    "Highlights are right only for a camera at the origin. Of four filtered texels the fourth comes "
+                    "from the wrong place, and beyond the texture's edge others are read."},
            .keywords = "bug, mistake, errata",
            .truth = exactly("demo-slips=off"),
            .acts_for = ActsFor::readers,

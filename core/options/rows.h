@@ -150,7 +150,7 @@ inline constexpr double some_far_limit = 10000;
 
 /// Fragments alone can be left out of a triangle. A reason used by several groups.
 inline Reason needs_filled_fragments(const Settings& s) {
-  if (draws_fragments(s.renderer) && s.draw != Draw::filled) return needs("draw", Draw::filled);
+  if (draws_fragments(s.renderer) && !fills(s.draw)) return needs("draw", Draw::filled);
   return {};
 }
 

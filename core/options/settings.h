@@ -30,7 +30,9 @@ enum class Coverage {
 enum class EdgeArithmetic { fixed, float32, float_stepped, int32 };
 enum class FillRule { top_left, inclusive, exclusive };
 enum class VertexSnapping { driver, cpu };
-enum class Draw { filled, wireframe, points };
+enum class Draw { filled, wireframe, points, outlined };
+/// Are the insides of triangles drawn?
+constexpr bool fills(Draw draw) { return draw == Draw::filled || draw == Draw::outlined; }
 enum class CanvasFill { edges, rows };
 enum class LineAlgorithm { general, y_of_x, x_of_y, interpolate, bresenham };
 enum class Shading { phong, gouraud, flat };
@@ -38,6 +40,7 @@ enum class Normals { vertex, triangle };
 enum class Highlight { phong, blinn_phong };
 enum class Interpolation { perspective, affine };
 enum class HardwareTexturing { shader, driver };
+enum class MappedNormals { world_frame, inverse_transpose };
 enum class Parallax { off, offset, limited, steep, occlusion };
 enum class Patches { as_made, projected_error };
 enum class LightPasses { one, many };
@@ -45,7 +48,7 @@ enum class Environment { none, cube_map, room_map };
 enum class EnvironmentObjects { all, fixed };
 enum class Shadows { traced, none, map, stencil_depth_fail, stencil_depth_pass };
 enum class ShadowRays { all, useful };
-enum class SelfHit { offset, epsilon, normal_bump };
+enum class SelfHit { offset, epsilon, normal_bump, exclusion };
 enum class EpsilonUnit { ray_parameter, distance };
 enum class Accelerator { bvh, none, bounding_spheres, box, octree, two_level, embree };
 enum class SlabTest { robust, naive };
@@ -113,6 +116,7 @@ struct Settings {
   bool lighting = true;
   Illumination illumination = Illumination::book;
   bool attenuation = true;
+  bool diffuse = true;
   bool specular = true;
   Highlight highlight = Highlight::phong;
   Interpolation interpolation = Interpolation::perspective;
@@ -124,6 +128,7 @@ struct Settings {
   int anisotropy = 1;
   HardwareTexturing hardware_texturing = HardwareTexturing::shader;
   bool normal_mapping = true;
+  MappedNormals mapped_normals = MappedNormals::world_frame;
   Parallax parallax = Parallax::off;
   int parallax_steps = 32;
   Environment environment = Environment::none;
@@ -138,6 +143,8 @@ struct Settings {
   bool shadow_any_hit = true;
   ShadowRays shadow_rays = ShadowRays::all;
   bool shadow_cache = false;
+  int shadow_samples = 1;  ///< shadow rays to a lamp
+  SamplePattern shadow_pattern = SamplePattern::grid;
   int shadow_map_size = 1024;
   double shadow_bias = 0;
   double shadow_slope_bias = -1;  ///< below 0: what filter and slope need

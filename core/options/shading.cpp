@@ -55,7 +55,7 @@ Reason needs_several_lights(const Settings& s, const SceneTraits& t) {
 }
 
 Reason needs_attributes(const Settings& s, const SceneTraits&) {
-  if (s.draw != Draw::filled) return needs("draw", Draw::filled);
+  if (!fills(s.draw)) return needs("draw", Draw::filled);
   return {};
 }
 
@@ -205,6 +205,18 @@ std::vector<Option> shading_rows() {
                                  knows(hit_shading, 50, false).where(&SceneTraits::attenuated)},
                         .hardware = defined_as("ATTENUATION")},
            .shown_by = {.experiments = none, .scenes = {{"octree/attenuation"}}}}),
+      toggle<&Settings::diffuse>(
+          {.key = "diffuse",
+           .label = "Diffuse term",
+           .help = {"Adds diffuse light, which a surface scatters alike to all sides.", "CGFS ch. 3 and 13",
+                    "Off: matte surfaces show ambient light alone, shiny ones their highlights as well."},
+           .keywords = "Lambert, matte, specular only, highlights only, term",
+           .truth = exactly("diffuse=on"),
+           .inactive = needs_lighting,
+           .known_to = {.fast = {knows(fragment_batches, 115, true), knows(sphere_packets, 95, true),
+                                 knows(hit_shading, 55, true)},
+                        .hardware = defined_as("DIFFUSE")},
+           .shown_by = {.experiments = none, .scenes = {{"cgfs/reflections"}}}}),
       toggle<&Settings::specular>(
           {.key = "specular",
            .label = "Highlights",

@@ -23,6 +23,21 @@ Reason needs_shadow_rays(const Settings& s, const SceneTraits& t) {
   return {};
 }
 
+Reason needs_lamp(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_shadow_rays(s, t)) return reason;
+  if (!t.lamps) return "no light of the scene has a radius";
+  return {};
+}
+
+Reason needs_shadow_samples(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_lamp(s, t)) return reason;
+  if (s.shadow_samples < 2) return needs("shadow-samples", 16).said("needs shadow-samples above 1");
+  return {};
+}
+
+/// Has a point several shadow rays to a lamp?
+bool samples_lamps(const Settings& s, const SceneTraits& t) { return s.shadow_samples > 1 && t.lamps; }
+
 Reason needs_shadow_map(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_casting_light(s, t)) return reason;
   // A listing that reads the size or the bias of a map always has one.
@@ -65,7 +80,8 @@ Reason needs_secondary_rays(const Settings& s, const SceneTraits& t) {
 
 Reason needs_shadow_epsilon(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_shadow_rays(s, t)) return reason;
-  if (s.self_hit == SelfHit::offset) return needs("self-hit", SelfHit::epsilon, SelfHit::normal_bump);
+  if (s.self_hit == SelfHit::offset || s.self_hit == SelfHit::exclusion)
+    return needs("self-hit", SelfHit::epsilon, SelfHit::normal_bump);
   return {};
 }
 
@@ -95,6 +111,30 @@ Reason map_lacks(OptionNumber shadows, const Settings& s) {
 
 bool fixed_map_bias(const Settings& s) {
   return s.shadow_slope_bias >= 0 && s.shadow_slope_bias < 0.5 * s.shadow_filter;
+}
+
+Option shadow_samples_row() {
+  Option option = integer<&Settings::shadow_samples>(
+      {.key = "shadow-samples",
+       .label = "Shadow samples",
+       .help =
+           {"Shadow rays from a point to each area light, a point light with a radius. They end on the disc that it "
+            "shows there, and the share that arrives is the share of its light.",
+            "CGFS ch. 4; Cook, Porter and Carpenter 1984",
+            "1: hard shadows. Too few: steps in the penumbra on a grid, noise at random "
+            "places. Each sample is a ray."},
+       .keywords = "area light, soft shadow, penumbra, umbra, distribution ray tracing",
+       .truth = exactly("shadow-samples=256"),
+       .acts_for = ActsFor::rays,
+       .inactive = needs_lamp,
+       .known_to = {.fast = {limit(sphere_packets, 65, "packets send one shadow ray to a light", samples_lamps),
+                             limit(hit_shading, 45, "SIMD shading sends one shadow ray to a light", samples_lamps)},
+                    .hardware = not_asked},
+       .shown_by = {.experiments = none, .scenes = {{"lab/cornell"}}}},
+      1, 256, "rays");
+  option.scale = OptionScale::logarithmic;
+  option.sweep_values = "1,4,16,64,256";
+  return option;
 }
 
 }  // namespace
@@ -248,19 +288,26 @@ std::vector<Option> shadow_rows() {
           {.key = "self-hit",
            .label = "Self-hit guard",
            .help = {"How a ray that starts on a surface avoids hitting it again at its origin.",
-                    "CGFS ch. 4; pbrt 6.8; Waechter and Binder, Ray Tracing Gems 6",
-                    "With the book's epsilon in float, 5.7 % of the pixels on the ground reflect the ground itself."},
+                    "CGFS ch. 4; CGPP 15.4.8; pbrt 6.8; Waechter and Binder, Ray Tracing Gems 6",
+                    "With the book's epsilon in float, 5.7 % of the pixels on the ground reflect the ground itself. "
+                    "Exclusion loses shadows and mirror images of a surface in itself: of a hollow body, of the far "
+                    "side of glass."},
            .keywords = "acne, shadow acne, surface acne, self-intersection, self-shadowing, epsilon, bias",
            .truth = exactly("self-hit=offset"),
            .acts_for = ActsFor::rays,
            .inactive = needs_secondary_rays,
-           .known_to = {.fast = {knows(sphere_packets, 60, SelfHit::offset)}, .hardware = not_asked},
+           .known_to = {.fast = {knows(sphere_packets, 60, SelfHit::offset),
+                                 knows(triangle_search, 60, SelfHit::offset, SelfHit::epsilon, SelfHit::normal_bump)},
+                        .hardware = not_asked},
            .shown_by = {.experiments = {{"constant-normal-bump", is<&Settings::self_hit, SelfHit::normal_bump>,
                                          "self-hit=offset"}},
                         .scenes = {{"cgfs/reflections"}}}},
           {{"offset", "bounded offset", "Starts outside the error bound of the hit point; nothing to tune."},
            {"epsilon", "epsilon", "Ignores hits with t up to epsilon, as in the book."},
-           {"normal-bump", "normal bump", "Starts epsilon above the surface along its normal, as in CGPP."}}),
+           {"normal-bump", "normal bump", "Starts epsilon above the surface along its normal, as in CGPP."},
+           {"exclusion", "exclusion",
+            "Does not test the sphere, triangle or solid that it leaves; neighbours and coincident surfaces still "
+            "count."}}),
       real<&Settings::shadow_epsilon>(
           {.key = "shadow-epsilon",
            .label = "Shadow epsilon",
@@ -306,6 +353,23 @@ std::vector<Option> shadow_rows() {
            .effect = OptionEffect::speed,
            .known_to = {.fast = any_value, .hardware = not_asked},
            .shown_by = {.experiments = none, .scenes = {{"cgfs/shading"}}}}),
+      shadow_samples_row(),
+      choice<&Settings::shadow_pattern>(
+          {.key = "shadow-pattern",
+           .label = "Shadow sample pattern",
+           .help = {"Where on the disc of an area light shadow rays end.", "Cook 1986; Halton 1960; Roberts 2018",
+                    "A grid draws bands; random places draw noise."},
+           .keywords = "area light, soft shadow, noise, banding, jitter, stratified, low discrepancy",
+           .truth = exactly("shadow-samples=256"),
+           .acts_for = ActsFor::rays,
+           .inactive = needs_shadow_samples,
+           .known_to = {.fast = any_value, .hardware = not_asked},
+           .shown_by = {.experiments = none, .scenes = {{"lab/cornell", "shadow-samples=16"}}}},
+          {{"grid", "grid", "The centres of equal parts of the disc."},
+           {"jitter", "jittered grid", "One random position in each of n equal parts."},
+           {"random", "random", "Independent random positions: clusters and gaps."},
+           {"halton", "Halton", "Radical inverses in bases 2 and 3, shifted per point."},
+           {"r2", "R2", "Multiples of the plastic number's inverse powers, shifted per point."}}),
       choice<&Settings::shadow_rays>(
           {.key = "shadow-rays",
            .label = "Shadow rays",

@@ -19,9 +19,16 @@ Reason needs_normal_map(const Settings& s, const SceneTraits& t) {
   if (!t.normal_maps) return "the scene has no normal map";
   if (!s.lighting) return needs("lighting", true).said("needs lighting");
   if (sends_rays(s.renderer)) return {};
-  if (s.draw != Draw::filled) return needs("draw", Draw::filled);
+  if (!fills(s.draw)) return needs("draw", Draw::filled);
   if (s.shading != Shading::phong)
     return needs("shading", Shading::phong).because("other shading evaluates the lighting per vertex or triangle");
+  return {};
+}
+
+Reason needs_mapped_normals(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_normal_map(s, t)) return reason;
+  if (!s.normal_mapping) return needs("normal-mapping", true);
+  if (!t.stretched) return "no model of the scene has an unequal scale";
   return {};
 }
 
@@ -162,6 +169,22 @@ std::vector<Option> texture_rows() {
                                        })},
                         .hardware = any_value},
            .shown_by = {.experiments = none, .scenes = {{"cgfs/brick-wall"}}}}),
+      choice<&Settings::mapped_normals>(
+          {.key = "mapped-normals",
+           .label = "Mapped normals",
+           .help =
+               {"Where a normal from a map becomes one of the world: in axes upright in the world, or in the model's, "
+                "by the inverse transpose of the model's matrix.",
+                "OCT (normal mapping); CGFS ch. 15",
+                "Axes of the world keep a relief's slopes although its model is stretched: at scale (1, 3, 1) a "
+                "slope of 37 degrees along y stays 37, where that of the stretched relief has 14."},
+           .keywords = "inverse transpose, tangent space, TBN, normal matrix, non-uniform scale, bump map",
+           .truth = exactly("mapped-normals=inverse-transpose"),
+           .inactive = needs_mapped_normals,
+           .known_to = {.fast = any_value, .hardware = defined_as("MAPPED_NORMALS")},
+           .shown_by = {.experiments = none, .scenes = {{"stretched_relief.scene"}}}},
+          {{"world-frame", "upright in the world", "Slopes are those of the map, whatever the scale."},
+           {"inverse-transpose", "inverse transpose", "Slopes are stretched with the model."}}),
       choice<&Settings::parallax>(
           {.key = "parallax-mapping",
            .label = "Parallax mapping",

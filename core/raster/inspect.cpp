@@ -49,7 +49,8 @@ class StorySink : public ClearSink<Real, PixelRecorder> {
       const std::uint64_t before = recorder.counters[Counter::pixels_written];
       for (; i < near_.size() && sequence(near_[i]) == sequence(near_[first]); ++i)
         this->draw(std::span<const PrimitiveRef>(&near_[i], 1), step);
-      if (!filled() && recorder.counters[Counter::pixels_written] == before) report_untouched(line(near_[first]));
+      if (!fills(inputs.settings.draw) && recorder.counters[Counter::pixels_written] == before)
+        report_untouched(line(near_[first]));
     }
     report_rejected(~std::uint32_t{0});
   }
@@ -58,21 +59,21 @@ class StorySink : public ClearSink<Real, PixelRecorder> {
   using ClearSink<Real, PixelRecorder>::inputs, ClearSink<Real, PixelRecorder>::geometry;
   using ClearSink<Real, PixelRecorder>::recorder;
 
-  bool filled() const { return inputs.settings.draw == Draw::filled; }
   const ScreenTriangle<Real>& triangle(const PrimitiveRef& ref) const {
     return geometry.batches[ref.batch].triangles[ref.index];
   }
   const ScreenLine<Real>& line(const PrimitiveRef& ref) const { return geometry.batches[ref.batch].lines[ref.index]; }
   std::uint32_t sequence(const PrimitiveRef& ref) const {
-    return filled() ? triangle(ref).sequence : line(ref).sequence;
+    return ref.is_line() ? line(ref).sequence : triangle(ref).sequence;
   }
 
   /// A filled triangle is near when its box is. One of which only edges or vertices are drawn is near when its area is,
   /// or the box of the edge itself: without clipping, edges behind the camera are drawn upside down, away from it.
   bool is_near(const PrimitiveRef& ref) const {
-    if (filled()) return touch(triangle(ref).box, around(story_.pixel));
+    if (!ref.is_line()) return touch(triangle(ref).box, around(story_.pixel));
     const ScreenLine<Real>& edge = line(ref);
     if (touch(edge.box, around(story_.pixel))) return true;
+    if (fills(inputs.settings.draw)) return false;
     const std::size_t object = inputs.surfaces[edge.surface].drawn;
     const MeshTriangle& mesh = inputs.objects[object].mesh->triangles[static_cast<std::size_t>(edge.triangle)];
     std::array<Vec3<Real>, 3> corners;
@@ -106,13 +107,12 @@ class StorySink : public ClearSink<Real, PixelRecorder> {
       if (!is_near(ref)) continue;
       near.push_back(ref);
       near_triangles.insert(sequence(ref));
-      if (filled() && covers(triangle(ref))) covered.insert(sequence(ref));
+      if (!ref.is_line() && covers(triangle(ref))) covered.insert(sequence(ref));
     }
     story_.triangles_elsewhere += triangles - near_triangles.size();
-    if (!filled()) return near;
     std::set<std::uint32_t> reported;
     std::erase_if(near, [&](const PrimitiveRef& ref) {
-      if (covers(triangle(ref))) return false;
+      if (ref.is_line() || covers(triangle(ref))) return false;
       return covered.count(sequence(ref)) > 0 || !reported.insert(sequence(ref)).second;
     });
     return near;

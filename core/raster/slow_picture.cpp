@@ -14,10 +14,9 @@ namespace ps::raster {
 namespace {
 
 template <class Real>
-std::uint32_t sequence_of(const RasterInputs<Real>& inputs, const ScreenGeometry<Real>& geometry,
-                          const PrimitiveRef& ref) {
+std::uint32_t sequence_of(const ScreenGeometry<Real>& geometry, const PrimitiveRef& ref) {
   const Batch<Real>& batch = geometry.batches[ref.batch];
-  return inputs.settings.draw == Draw::filled ? batch.triangles[ref.index].sequence : batch.lines[ref.index].sequence;
+  return ref.is_line() ? batch.lines[ref.index].sequence : batch.triangles[ref.index].sequence;
 }
 
 }  // namespace
@@ -44,8 +43,7 @@ SlowPicture<Real>::SlowPicture(const Scene& scene, const View& view, const Setti
   geometry_ = make_geometry(inputs_, {}, parallel_, progress);
   order_ = drawing_order(inputs_, geometry_);
   for (std::size_t i = 0; i < order_.size(); ++i)
-    if (i + 1 == order_.size() ||
-        sequence_of(inputs_, geometry_, order_[i]) != sequence_of(inputs_, geometry_, order_[i + 1]))
+    if (i + 1 == order_.size() || sequence_of(geometry_, order_[i]) != sequence_of(geometry_, order_[i + 1]))
       ends_.push_back(i + 1);
   steps_ = draw_steps(inputs_.settings, inputs_.lights.size());
 }
@@ -186,7 +184,7 @@ void SlowPicture<Real>::note_last(const Progressed& done, SlowState& state) cons
 template <class Real>
 void SlowPicture<Real>::note_triangle(const PrimitiveRef& ref, SlowState& state) const {
   const Batch<Real>& batch = geometry_.batches[ref.batch];
-  if (inputs_.settings.draw != Draw::filled) {
+  if (ref.is_line()) {
     const ScreenLine<Real>& line = batch.lines[ref.index];
     state.id = {inputs_.surfaces[line.surface].object, line.triangle};
     state.box = line.box;

@@ -26,6 +26,8 @@ std::string_view event_key(TestOutcome outcome) {
     return "parallel";
   case TestOutcome::degenerate:
     return "degenerate";
+  case TestOutcome::excluded:
+    return "excluded";
   }
   return "";
 }

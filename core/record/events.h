@@ -56,7 +56,8 @@ enum class TestOutcome {
   tie_lost,      ///< same t as the nearest so far, which has the lower index
   back_side,     ///< one-sided, and seen from behind
   parallel,      ///< the ray runs in the triangle's plane
-  degenerate     ///< zero-area triangle
+  degenerate,    ///< zero-area triangle
+  excluded       ///< not tested: the ray starts on it
 };
 
 struct SphereTestEvent {
@@ -123,7 +124,8 @@ struct LightEvent {
   double n_dot_l = 0;                ///< cosine after dividing by both lengths
   double r_dot_v = 0;                ///< cosine of the highlight's angle (R.V or N.H)
   double diffuse = 0, specular = 0;  ///< intensities added, before the light's colour
-  std::optional<PixelId> blocker;    ///< what is between; then both intensities are 0
+  double ambient = 0;                ///< as these: ambient light that a light of another kind adds, blocked or not
+  std::optional<PixelId> blocker;    ///< what is between; then neither diffuse light nor a highlight is added
   double visible = 1;          ///< share of the light that reaches the point; 0 with a blocker, or in a shadow map
   bool below_horizon = false;  ///< N.L <= 0: no diffuse light
 };

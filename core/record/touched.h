@@ -75,7 +75,7 @@ class TouchRecorder {
   void light(const LightEvent& event) {
     if (event.blocker) touch(*event.blocker);
     const auto index = static_cast<std::size_t>(event.light);
-    if ((event.diffuse <= 0 && event.specular <= 0) || light_pixel_[index] == pixel_) return;
+    if ((event.diffuse <= 0 && event.specular <= 0 && event.ambient <= 0) || light_pixel_[index] == pixel_) return;
     light_pixel_[index] = pixel_;
     ++touched_.lights[index];
   }

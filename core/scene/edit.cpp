@@ -72,6 +72,18 @@ Fields light_fields(const Scene& scene, std::size_t index) {
       [](Light& l, const SceneValues& v, const SceneTerm& t) { l.intensity = v.in_range(t, 0, max_scene_number); });
   add("color", scene_colour(light.colour),
       [](Light& l, const SceneValues& v, const SceneTerm& t) { l.colour = v.colour(t); });
+  if (light.kind != LightKind::ambient) {
+    add("specular_color", scene_colour(highlight_colour(light)),
+        [](Light& l, const SceneValues& v, const SceneTerm& t) {
+          l.specular_colour = v.colour(t);
+          if (l.specular_colour == l.colour) l.specular_colour.reset();
+        });
+    add("ambient_color", scene_colour(light.ambient_colour),
+        [](Light& l, const SceneValues& v, const SceneTerm& t) { l.ambient_colour = v.colour(t); });
+  }
+  if (light.kind == LightKind::point)
+    add("radius", scene_number(light.radius),
+        [](Light& l, const SceneValues& v, const SceneTerm& t) { l.radius = v.in_range(t, 0, max_scene_number); });
   if (light.kind == LightKind::point)
     add("position", scene_vec(light.position),
         [](Light& l, const SceneValues& v, const SceneTerm& t) { l.position = v.vec3(t); });

@@ -11,8 +11,9 @@ namespace ps {
 ///   background
 ///   camera.position  camera.right  camera.up  camera.forward  camera.rotation
 ///   camera.viewport_size  camera.projection_plane_d
-///   light.N.intensity  light.N.color  light.N.position (point)  light.N.attenuation (point)  light.N.direction
-///   (directional) object.N.center  object.N.radius (spheres) object.N.point  object.N.normal (planes)  object.N.corner
+///   light.N.intensity  light.N.color  light.N.position  light.N.attenuation  light.N.radius (point)
+///   light.N.direction (directional)  light.N.specular_color  light.N.ambient_color (both)
+///   object.N.center  object.N.radius (spheres) object.N.point  object.N.normal (planes)  object.N.corner
 ///   object.N.side_a  object.N.side_b (rectangles) object.N.center  object.N.size  object.N.rotation (boxes)
 ///   object.N.from  object.N.to  object.N.radius (cylinders) object.N.part.K.center ... (part K of a CSG object, in the
 ///   order of the file) object.N.scale  object.N.rotation  object.N.translation (instances)

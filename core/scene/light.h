@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "math/vec.h"
@@ -31,7 +32,19 @@ struct Light {
   Vec3d direction{0, 1, 0};  ///< from the scene towards the light, not normalised; directional lights only
   /// Attenuation of point lights: brightness at distance r is divided by x + y r + z r^2.
   Vec3d attenuation{1, 0, 0};
+  // A light may have a colour for each term of the illumination equation (OCT). `colour` is that of diffuse light, and
+  // of highlights without one of their own. Point and directional lights only.
+  std::optional<Vec3d> specular_colour{};  ///< of its highlights
+  Vec3d ambient_colour{0, 0, 0};           ///< of light that it adds everywhere, in shadow too
+  double radius = 0;  ///< of a lamp, a ball around `position` (option shadow-samples); point lights only; world units
   bool operator==(const Light&) const = default;
 };
+
+/// The colour of its highlights.
+inline Vec3d highlight_colour(const Light& light) { return light.specular_colour.value_or(light.colour); }
+/// Has some term of the illumination equation a colour of its own?
+inline bool has_term_colours(const Light& light) {
+  return highlight_colour(light) != light.colour || light.ambient_colour != Vec3d(0);
+}
 
 }  // namespace ps

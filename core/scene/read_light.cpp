@@ -29,12 +29,15 @@ LightKind read_light_kind(const SceneValues& values, const SceneTerm& term) {
 
 void read_light(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
   const SceneValues& values = source.values;
-  const SceneFields fields(values, entry, {"type", "intensity", "position", "direction", "color", "attenuation"});
+  const SceneFields fields(values, entry,
+                           {"type", "intensity", "position", "direction", "color", "specular_color", "ambient_color",
+                            "attenuation", "radius"});
   Light light;
   light.kind = read_light_kind(values, fields.require("type"));
   switch (light.kind) {
   case LightKind::ambient:
     fields.forbid({"position", "direction"}, "no position or direction: ambient light has none");
+    fields.forbid({"specular_color", "ambient_color"}, "'color' alone: ambient light is only ambient");
     break;
   case LightKind::point:
     fields.forbid({"direction"}, "'position': a point light has no direction");
@@ -49,8 +52,14 @@ void read_light(const SceneSource& source, const SceneEntry& entry, SceneDraft& 
     if (light.kind != LightKind::point) values.fail(*term, "no attenuation: only point lights have a distance");
     light.attenuation = read_attenuation(values, *term);
   }
+  if (const auto* term = fields.find("radius")) {
+    if (light.kind != LightKind::point) values.fail(*term, "no radius: only point lights have a size");
+    light.radius = values.in_range(*term, 0, max_scene_number);
+  }
   light.intensity = values.in_range(fields.require("intensity"), 0, max_scene_number);
   if (const auto* term = fields.find("color")) light.colour = values.colour(*term);
+  if (const auto* term = fields.find("specular_color")) light.specular_colour = values.colour(*term);
+  if (const auto* term = fields.find("ambient_color")) light.ambient_colour = values.colour(*term);
   draft.lights.push_back(light);
   if (draft.lights.size() > max_scene_lights)
     values.fail_at(entry.line, entry.column, "'light'", fmt::format("at most {} lights", max_scene_lights));

@@ -49,16 +49,22 @@ SceneTraits scene_traits(const Scene& scene) {
     }
     if (const auto* solid = std::get_if<Solid>(&object.shape)) {
       traits.solids = true;
+      traits.stretched = traits.stretched || !solid->place.is_identity();
       note_material(materials.at(solid->material), traits);
       continue;
     }
     if (const auto* csg = std::get_if<Csg>(&object.shape)) {
       traits.csg = true;
-      for (const Solid* part : csg_parts(csg->root)) note_material(materials.at(part->material), traits);
+      for (const Solid* part : csg_parts(csg->root)) {
+        note_material(materials.at(part->material), traits);
+        traits.stretched = traits.stretched || !part->place.is_identity();
+      }
       continue;
     }
     const auto& instance = std::get<Instance>(object.shape);
     const Mesh& mesh = *scene.geometry->meshes.at(instance.mesh);
+    const Vec3d& scale = instance.transform.scale;
+    traits.stretched = traits.stretched || scale.x != scale.y || scale.y != scale.z;
     traits.triangles = traits.triangles || !mesh.triangles.empty();
     traits.one_sided = traits.one_sided || instance.sides == Sides::front;
     traits.patches = traits.patches || !mesh.patches.empty();
@@ -84,8 +90,11 @@ SceneTraits scene_traits(const Scene& scene) {
   for (std::size_t i = 0; i < scene.lights->size(); ++i) {
     const Light& light = (*scene.lights)[i];
     if (light.intensity == 0) continue;
-    traits.coloured_lights = traits.coloured_lights || light.colour != Vec3d(1);
-    if (light.colour != Vec3d(0)) traits.shining_lights |= 1u << std::min<std::size_t>(i, 31);
+    traits.coloured_lights = traits.coloured_lights || light.colour != Vec3d(1) || has_term_colours(light);
+    traits.term_colours = traits.term_colours || has_term_colours(light);
+    traits.lamps = traits.lamps || light.radius > 0;
+    if (light.colour != Vec3d(0) || has_term_colours(light))
+      traits.shining_lights |= 1u << std::min<std::size_t>(i, 31);
   }
   traits.canvas_items = !scene.canvas_items->empty();
   traits.canvas_triangles =

@@ -86,8 +86,11 @@ struct SceneTraits {
   bool transparent = false;
   bool attenuated = false;  ///< a point light that grows weaker with distance in a way of its own
   bool point_lights = false;
-  bool patches = false;     ///< curved models that can be cut into triangles anew
-  bool light_maps = false;  ///< pictures of highlights or of ambient light
+  bool lamps = false;         ///< a point light with a radius
+  bool term_colours = false;  ///< a light whose highlights or ambient light have a colour of their own
+  bool stretched = false;     ///< a model or solid that is scaled unequally
+  bool patches = false;       ///< curved models that can be cut into triangles anew
+  bool light_maps = false;    ///< pictures of highlights or of ambient light
   bool opacity_maps = false;
   bool reflection_maps = false;  ///< on a surface that reflects
   bool mirrors = false;          ///< a surface that reflects the scene, and no picture

@@ -335,7 +335,10 @@ class SceneWriter {
     }
     line("    intensity = {}", scene_number(light.intensity));
     if (light.colour != Vec3d{1, 1, 1}) line("    color = {}", scene_colour(light.colour));
+    if (light.specular_colour) line("    specular_color = {}", scene_colour(*light.specular_colour));
+    if (light.ambient_colour != Vec3d{0, 0, 0}) line("    ambient_color = {}", scene_colour(light.ambient_colour));
     if (light.attenuation != Vec3d{1, 0, 0}) line("    attenuation = {}", scene_vec(light.attenuation));
+    if (light.radius > 0) line("    radius = {}", scene_number(light.radius));
     line("}}");
   }
 

@@ -94,6 +94,7 @@ std::vector<Light> moved(const std::vector<Light>& lights, const WorkingSpace& s
   for (Light& light : result) {
     light.position = space.from_world(light.position);
     light.direction *= space.scale;
+    light.radius *= space.scale;
     light.attenuation.y /= space.scale;
     light.attenuation.z /= space.scale * space.scale;
   }

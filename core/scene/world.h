@@ -10,6 +10,20 @@ inline Vec3d to_world(const Transform& transform, const Vec3d& position) {
   return transform.rotation * (transform.scale * position) + transform.translation;
 }
 
+/// Its linear part.
+inline Mat3d linear_part(const Transform& transform) {
+  return Mat3d(transform.rotation[0] * transform.scale.x, transform.rotation[1] * transform.scale.y,
+               transform.rotation[2] * transform.scale.z);
+}
+
+/// The linear part of the map that places an object's surface in the world. Spheres lie there, and the parts of CSG
+/// objects have places of their own.
+inline Mat3d linear_part(const Object& object) {
+  if (const auto* instance = std::get_if<Instance>(&object.shape)) return linear_part(instance->transform);
+  if (const auto* solid = std::get_if<Solid>(&object.shape)) return solid->place.linear;
+  return Mat3d(1.0);
+}
+
 /// Does the transform turn left into right (its determinant is negative)? Then vertices that ran anticlockwise around a
 /// triangle's front run clockwise.
 inline bool mirrors(const Transform& transform) {

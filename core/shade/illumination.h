@@ -35,10 +35,11 @@ struct IlluminationOptions {
   Highlight highlight = Highlight::phong;
   Illumination illumination = Illumination::book;
   bool attenuation = true;
+  bool diffuse = true;
 };
 
 inline IlluminationOptions illumination_options(const Settings& settings) {
-  return {settings.specular, settings.highlight, settings.illumination, settings.attenuation};
+  return {settings.specular, settings.highlight, settings.illumination, settings.attenuation, settings.diffuse};
 }
 
 /// More does not arrive, however near a light is: the brightest that a scene can ask for. Infinity would make NaN of
@@ -126,8 +127,10 @@ inline HighlightAngle<Real> highlight_angle(const LitPoint<Real>& point, const V
 template <class Real>
 inline bool adds_light(const LitPoint<Real>& point, const ShadingMaterial<Real>& material, const Vec3<Real>& to_light,
                        const IlluminationOptions& options) {
-  if (dot(point.normal, to_light) > 0) return true;
-  if (options.illumination == Illumination::radiometric || !options.specular || !material.specular) return false;
+  const bool faces = dot(point.normal, to_light) > 0;
+  if (options.diffuse && faces) return true;
+  if (!options.specular || !material.specular) return false;
+  if (options.illumination == Illumination::radiometric && !faces) return false;
   return highlight_angle(point, to_light, options.highlight).dot_product > 0;
 }
 
@@ -159,15 +162,18 @@ Lighting<Real> illuminate(const LitPoint<Real>& point, const ShadingMaterial<Rea
     target.y += colour.y * amount;
     target.z += colour.z * amount;
   };
+  const auto add_ambient = [&](const Vec3<Real>& colour, Real amount) {
+    if (material.ambient_colour)
+      add(sum.extra, *material.ambient_colour * colour, amount);
+    else
+      add(sum.light, colour, amount);
+  };
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const ShadingLight<Real>& light = lights[i];
     const int index = first_light + static_cast<int>(i);
     recorder.count(Counter::light_samples);
     if (light.kind == LightKind::ambient) {
-      if (material.ambient_colour)
-        add(sum.extra, *material.ambient_colour * light.colour, light.intensity);
-      else
-        add(sum.light, light.colour, light.intensity);
+      add_ambient(light.colour, light.intensity);
       recorder.event([&] {
         LightEvent event;
         event.light = index;
@@ -182,11 +188,13 @@ Lighting<Real> illuminate(const LitPoint<Real>& point, const ShadingMaterial<Rea
         blocked(index, to_light, is_point ? Real(1) : std::numeric_limits<Real>::infinity());
     const bool dark = !(blocking.visible > 0);
     const Real n_dot_l = dot(point.normal, to_light);
-    const Real intensity = arriving(light, to_light, options) * blocking.visible;
+    const Real unblocked = arriving(light, to_light, options);
+    const Real intensity = unblocked * blocking.visible;
+    if (light.adds_ambient) add_ambient(light.ambient_colour, unblocked);
     const bool radiometric = options.illumination == Illumination::radiometric;
     Real diffuse = 0;
     Real specular = 0;
-    if (!dark && n_dot_l > 0) {
+    if (!dark && options.diffuse && n_dot_l > 0) {
       diffuse = intensity * n_dot_l / (length_of(point.normal) * length_of(to_light));
       if (radiometric) diffuse *= diffuse_factor<Real>(options);
       add(sum.light, light.colour, diffuse);
@@ -199,9 +207,9 @@ Lighting<Real> illuminate(const LitPoint<Real>& point, const ShadingMaterial<Rea
           specular *=
               specular_factor(options, *material.specular, n_dot_l / (length_of(point.normal) * length_of(to_light)));
         if (material.specular_colour)
-          add(sum.extra, *material.specular_colour * light.colour, specular);
+          add(sum.extra, *material.specular_colour * light.specular_colour, specular);
         else
-          add(sum.light, light.colour, specular);
+          add(sum.light, light.specular_colour, specular);
       }
     }
     recorder.event([&] {
@@ -213,6 +221,7 @@ Lighting<Real> illuminate(const LitPoint<Real>& point, const ShadingMaterial<Rea
       event.r_dot_v = static_cast<double>(highlight_angle(point, to_light, options.highlight).cosine());
       event.diffuse = static_cast<double>(diffuse);
       event.specular = static_cast<double>(specular);
+      if (light.adds_ambient) event.ambient = static_cast<double>(unblocked);
       event.blocker = blocking.by;
       event.visible = static_cast<double>(blocking.visible);
       event.below_horizon = !(n_dot_l > 0);

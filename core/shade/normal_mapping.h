@@ -75,6 +75,42 @@ inline std::optional<TangentSpace<Real>> tangent_space(const Vec3<Real>& normal,
   return space;
 }
 
+/// The map that placed a surface in the world, without its translation.
+template <class Real>
+struct Placing {
+  Mat3<Real> to_world{Real(1)};  ///< of positions
+  Mat3<Real> normals{Real(1)};   ///< of normals: the inverse transpose; both up to a factor, which does not matter
+};
+
+/// The matrix of cofactors is the inverse transpose times the determinant: it needs no division.
+template <class Real>
+inline Placing<Real> placing_of(const Mat3d& to_world) {
+  const auto near_one = [](const Mat3d& m) {
+    return m *
+           factor_for_products(std::max({largest_component(m[0]), largest_component(m[1]), largest_component(m[2])}));
+  };
+  const Mat3d m = near_one(to_world);
+  const Mat3d cofactors{cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])};
+  const double sense = dot(m[0], cofactors[0]) < 0 ? -1 : 1;
+  return {Mat3<Real>(m), Mat3<Real>(near_one(cofactors * sense))};
+}
+
+/// The same axes made in the model, and brought to the world as normals are, by the inverse transpose (OCT). The normal
+/// has length 1, the others any.
+template <class Real>
+inline std::optional<TangentSpace<Real>> tangent_space(const Vec3<Real>& normal, const TangentFrame<Real>& frame,
+                                                       const Placing<Real>& placing) {
+  // A vector before a matrix is multiplied by its transpose.
+  auto space = tangent_space(normal * placing.to_world,
+                             TangentFrame<Real>{frame.along_u * placing.normals, frame.upwards * placing.normals});
+  if (!space) return {};
+  const Real length = length_of(placing.normals * space->normal);
+  if (!(length > 0)) return {};
+  for (Vec3<Real>* axis : {&space->tangent, &space->bitangent, &space->normal})
+    *axis = placing.normals * *axis / length;
+  return space;
+}
+
 /// A stored normal in the world, of length 1; the surface's own where the map holds no usable one.
 template <class Real>
 inline Vec3<Real> mapped_normal(const TangentSpace<Real>& space, const Vec3<Real>& stored) {

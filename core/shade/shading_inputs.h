@@ -18,6 +18,10 @@ struct ShadingLight {
   Vec3<Real> vector{0, 0, 0};  ///< position of a point light, direction towards a directional one; shading space
   Vec3<Real> attenuation{1, 0, 0};
   bool attenuates = false;
+  Vec3<Real> specular_colour{1, 1, 1};
+  Vec3<Real> ambient_colour{0, 0, 0};  ///< of light that a point or directional light adds everywhere
+  bool adds_ambient = false;
+  Real radius = 0;  ///< of a lamp
 };
 
 /// A material in the renderer's precision. Absent values as in Material.
@@ -49,8 +53,16 @@ struct ShadingMaterial {
 template <class Real>
 inline ShadingLight<Real> shading_light(const Light& light) {
   const Vec3d vector = light.kind == LightKind::directional ? light.direction : light.position;
-  return {light.kind,         static_cast<Real>(light.intensity), Vec3<Real>(light.colour),
-          Vec3<Real>(vector), Vec3<Real>(light.attenuation),      light.attenuation != Vec3d{1, 0, 0}};
+  return {light.kind,
+          static_cast<Real>(light.intensity),
+          Vec3<Real>(light.colour),
+          Vec3<Real>(vector),
+          Vec3<Real>(light.attenuation),
+          light.attenuation != Vec3d{1, 0, 0},
+          Vec3<Real>(highlight_colour(light)),
+          Vec3<Real>(light.ambient_colour),
+          light.ambient_colour != Vec3d(0),
+          static_cast<Real>(light.radius)};
 }
 
 template <class Real>

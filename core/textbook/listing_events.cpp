@@ -56,11 +56,16 @@ Settings settings_as_listed(const NamedListing& listing, const Scene& scene, con
   as.texture_filter = TextureFilter::nearest;
   as.texture_wrap = TextureWrap::clamp;
   as.draw = Draw::filled;
+  as.diffuse = true;
   if (rays && !draws.reflections) as.reflection_depth = 0;
   if (rays) as.specular = true;
   if (listing.listing->as_settings) listing.listing->as_settings(as);
   for (const std::string_view key : listing.listing->reads)
     if (const Option* option = find_option(key)) option->set(as, option->get(settings));
+  // Listings know some values alone: the nearest texel or the four around a place; filled triangles with outlines or
+  // without.
+  if (as.texture_filter != TextureFilter::bilinear) as.texture_filter = TextureFilter::nearest;
+  if (listing_reads(listing, "draw") && as.draw != Draw::outlined) as.draw = Draw::filled;
   return as;
 }
 

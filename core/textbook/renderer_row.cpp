@@ -49,7 +49,7 @@ std::vector<LeftOut> gaps_of_listing(const SceneTraits& traits, const Settings& 
        "intensities at the vertices of triangles on the canvas", on_canvas},
       {effect, traits.canvas_gradients && draws.canvas_triangles && !draws.canvas_gradients,
        "gradients between vertices of different colours", on_canvas},
-      {effect, shows_space && settings.lighting && settings.draw == Draw::filled && !draws.light, "light", in_space},
+      {effect, shows_space && settings.lighting && fills(settings.draw) && !draws.light, "light", in_space},
       {effect, lit && traits.coloured_lights && !draws.light_colours, "colours of lights", in_space},
       {effect, lit && traits.attenuated && settings.attenuation, "attenuation of lights", in_space},
       {effect, lit && ((traits.tinted && !draws.tints) || traits.light_maps), "colours of highlights and ambient light",

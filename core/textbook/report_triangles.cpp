@@ -166,7 +166,8 @@ class TriangleReporter {
         event.to_light = reader_.last<Vec3d>(light, "to light").value_or(Vec3d(0));
         event.n_dot_l = *cosine;
         event.r_dot_v = reader_.last<double>(light, "cosine to the viewer").value_or(0);
-        event.diffuse = std::max(0.0, *cosine) * full;
+        const auto with_diffuse = reader_.last<double>(light, "with diffuse");
+        event.diffuse = with_diffuse == before ? 0 : std::max(0.0, *cosine) * full;
         event.specular = after - before - event.diffuse;
         if (std::abs(event.specular) < left_by_rounding) event.specular = 0;
         event.below_horizon = !(*cosine > 0);

@@ -34,6 +34,7 @@ struct InPlaceOfMaximum {
 };
 const InPlaceOfMaximum in_place_of_maximum[] = {
     {"samples-per-pixel", 16, "4096 rays a pixel take seconds"},
+    {"shadow-samples", 16, "256 rays to a lamp take seconds"},
     {"shadow-map-size", 1024, "six maps of 4096 x 4096 texels take 400 MB"},
     {"stencil-bits", 4, "more than 8 bits need 256 shadows over each other"},
     {"volume-length", 1, "volumes of a million units reach as far as those without an end"},

@@ -48,6 +48,7 @@ std::vector<EventData> sample_events() {
   light.kind = LightKind::point;
   light.blocker = PixelId{1, 0};
   light.visible = 0.5;
+  light.ambient = 0.25;
   RejectEvent reject;
   reject.detail = "left plane";
   reject.edges = {{1, 2, 3}};

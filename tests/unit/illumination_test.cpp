@@ -77,6 +77,21 @@ TEST(Illumination, BlockedLightGivesNeitherTermAndNamesItsBlocker) {
   EXPECT_EQ(event.n_dot_l, 1);
 }
 
+// CGFS ch. 13's own program can leave out either term; ambient light stays.
+TEST(Illumination, WithoutTheDiffuseTermHighlightsStay) {
+  ShadingMaterial<double> shiny;
+  shiny.specular = 10;
+  const double angle = 0.3;
+  const LitPoint<double> point{{0, 0, 0}, {0, 0, 1}, {std::sin(angle), 0, std::cos(angle)}};
+  const std::vector lights{light(LightKind::ambient, 0.2, {}), light(LightKind::directional, 0.5, {0, 0, 4})};
+  IlluminationOptions options;
+  options.diffuse = false;
+  EXPECT_NEAR(lit(point, shiny, lights, options).light.x, 0.2 + 0.5 * std::pow(std::cos(angle), 10), 1e-14);
+  EXPECT_EQ(lit(point, {}, lights, options).light.x, 0.2) << "matte";
+  EXPECT_TRUE(adds_light(point, shiny, Vec3d{0, 0, 4}, options));
+  EXPECT_FALSE(adds_light(point, ShadingMaterial<double>{}, Vec3d{0, 0, 4}, options)) << "nothing is left of it";
+}
+
 TEST(Illumination, ColoursOfTheirOwnGoIntoExtra) {
   ShadingMaterial<double> plastic;
   plastic.specular = 10;

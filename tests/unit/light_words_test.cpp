@@ -50,7 +50,7 @@ TEST(LightWords, ReasonsAreTrue) {
   EXPECT_EQ(brief(away), "surface faces away");
   away.specular = 0.25;  // the book's highlight does not ask which way the surface faces
   EXPECT_EQ(brief(away), "surface faces away, no diffuse, specular 0.25");
-  EXPECT_EQ(brief(lamp(0, 0)), "emits no light") << "it faces the lamp and sees it";
+  EXPECT_EQ(brief(lamp(0, 0)), "adds no light") << "it faces the lamp and sees it";
   LightEvent hidden = lamp(0, 0);
   hidden.visible = 0;
   EXPECT_EQ(brief(hidden), "in shadow");
@@ -86,7 +86,7 @@ TEST(LightWords, StoryAndSumAgreeOnWhatAddsNothing) {
   const auto of_lamp = std::find_if(sun.ledger.begin(), sun.ledger.end(),
                                     [](const LedgerLine& line) { return line.term.rfind("light 1", 0) == 0; });
   ASSERT_NE(of_lamp, sun.ledger.end());
-  EXPECT_EQ(of_lamp->term, "light 1 (point): emits no light");
+  EXPECT_EQ(of_lamp->term, "light 1 (point): adds no light");
 }
 
 }  // namespace

@@ -190,6 +190,9 @@ Scene scene_with_everything(std::mt19937_64& random) {
     if (dice.coin()) light.colour = dice.colour();
     if (light.kind == LightKind::point) light.position = dice.vec();
     if (light.kind == LightKind::point && dice.coin()) light.attenuation = {dice.number(0, 1), 0.5, dice.number(0, 2)};
+    if (light.kind == LightKind::point && dice.coin()) light.radius = dice.number(0, 1);
+    if (light.kind != LightKind::ambient && dice.coin()) light.specular_colour = dice.colour();
+    if (light.kind != LightKind::ambient && dice.coin()) light.ambient_colour = dice.colour();
     if (light.kind == LightKind::directional) light.direction = dice.vec();
     lights.push_back(light);
   }

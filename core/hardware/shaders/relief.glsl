@@ -9,14 +9,34 @@ vec4 story_relief = vec4(0.0);  // shift from top to bottom in u and v; depth th
 #endif
 
 #if NORMAL_MAP
+#if MAPPED_NORMALS == BY_INVERSE_TRANSPOSE
+uniform mat3 placing;          // of the surface in the world
+uniform mat3 placing_normals;  // its inverse transpose; both up to a factor
+#endif
+
 // A stored normal in the world; the surface's own where the map or the frame holds nothing usable.
 vec3 mapped_normal(vec3 surface_normal, vec3 texel) {
+#if MAPPED_NORMALS == BY_INVERSE_TRANSPOSE
+  // The axes are made in the model. A vector before a matrix is multiplied by its transpose.
+  vec3 normal = normalised(surface_normal * placing);
+  vec3 u = along_u * placing_normals;
+  vec3 up = upwards * placing_normals;
+#else
   vec3 normal = normalised(surface_normal);
-  vec3 across = along_u - normal * dot(normal, along_u);
+  vec3 u = along_u;
+  vec3 up = upwards;
+#endif
+  vec3 across = u - normal * dot(normal, u);
   if (across == vec3(0.0)) return surface_normal;
   vec3 tangent = normalised(across);
   vec3 side = cross(normal, tangent);
-  vec3 bitangent = dot(side, upwards) < 0.0 ? -side : side;
+  vec3 bitangent = dot(side, up) < 0.0 ? -side : side;
+#if MAPPED_NORMALS == BY_INVERSE_TRANSPOSE
+  float share = 1.0 / length_of(placing_normals * normal);
+  tangent = placing_normals * tangent * share;
+  bitangent = placing_normals * bitangent * share;
+  normal = placing_normals * normal * share;
+#endif
   vec3 stored = texel * 2.0 - 1.0;
 #if STORY
   story_stored = vec4(stored, 1.0);

@@ -40,7 +40,7 @@ class FragmentsIn final : public Microscope::Fragments {
             make_raster_inputs<Real>(working_.scene(), working_.view(), working_.settings(), Channel::none, prepared)),
         pixel_(pixel) {
     find_canvas_triangles(*scene.canvas_items);
-    if (settings.draw == Draw::filled)
+    if (fills(settings.draw))
       replay_.emplace(inputs_, pixel, ParallelOptions{settings.threads, {}}, progress,
                       [this](const ScreenTriangle<Real>& triangle) { return is_near(triangle.corners); });
   }

@@ -121,6 +121,11 @@ Parting rays_saw_different_things(const StoryPair& c, const Sighting& a, const S
   case TestOutcome::degenerate:
   case TestOutcome::tie_lost:
     break;
+  case TestOutcome::excluded:
+    return says(PartingCause::epsilon,
+                fmt::format("{}: the ray of {} starts on {}, which it then does not test", saw, loser,
+                            primitive_name(c.scene, winner.id)),
+                {"self-hit"});
   }
   const bool arithmetic = explains(c, "precision") || uses_embree(c.a) != uses_embree(c.b) ||
                           explains(c, "sphere-test") || explains(c, "triangle-test") || explains(c, "triangle-epsilon");

@@ -34,9 +34,11 @@ Parting light_differs(const StoryPair& c, int event_a, int event_b, const Sighti
   const auto says = [&](PartingCause cause, const std::string& why) {
     return Parting{cause, what + why + ".", event_a, event_b};
   };
-  if (const auto key = first_explaining(c, {"shading", "normals", "normal-transform", "renormalise", "normal-mapping"}))
+  if (const auto key = first_explaining(
+          c, {"shading", "normals", "normal-transform", "renormalise", "normal-mapping", "mapped-normals"}))
     return says(PartingCause::shading_position, because(c, {*key}));
-  if (const auto key = first_explaining(c, {"lighting", "illumination", "highlight", "specular", "attenuation"}))
+  if (const auto key =
+          first_explaining(c, {"lighting", "illumination", "highlight", "diffuse", "specular", "attenuation"}))
     return says(PartingCause::light_model, because(c, {*key}));
   if (explains(c, "interpolation")) return says(PartingCause::interpolation, because(c, {"interpolation"}));
   if (explains(c, "precision")) return says(PartingCause::precision, because(c, {"precision"}));
@@ -118,9 +120,9 @@ std::optional<Parting> part_at_shadow(const StoryPair& c, int index_a, int index
   const auto says = [&](PartingCause cause, const std::string& why) {
     return Parting{cause, text + why + ".", index_a, index_b};
   };
-  if (const auto key =
-          first_explaining(c, {"shadows", "volume-caps", "volume-length", "volume-depth-clamp", "stencil-bits",
-                               "shadow-map-size", "shadow-bias", "shadow-slope-bias", "shadow-filter", "near", "far"}))
+  if (const auto key = first_explaining(c, {"shadows", "shadow-samples", "shadow-pattern", "volume-caps",
+                                            "volume-length", "volume-depth-clamp", "stencil-bits", "shadow-map-size",
+                                            "shadow-bias", "shadow-slope-bias", "shadow-filter", "near", "far"}))
     return says(PartingCause::missing_shadow, because(c, {*key}));
   if (const Option* option = differing_for_shadows(c)) return says(PartingCause::missing_shadow, because(c, option));
   if (c.two_rasterizers()) return says(PartingCause::missing_shadow, ": the two renderers round differently");

@@ -63,10 +63,11 @@ class Assembler {
     }
     if (far_ && inputs_.settings.draw == Draw::filled && (outside_ == 0 || clipped_away_) && !lights_corners())
       count_far();
-    else if (inputs_.settings.draw == Draw::filled)
+    else if (fills(inputs_.settings.draw))
       fill();
     else
       outline();
+    if (inputs_.settings.draw == Draw::outlined) add_edges();
   }
 
   /// Which side of the triangle faces the eye. False: it has no area.
@@ -305,8 +306,9 @@ class Assembler {
     return light_at(inputs_, surface(), point.position, point.normal, recorder_);
   }
 
-  /// The edges of the whole triangle, each cut to the clipping volume by itself; or its vertices as points.
-  void outline() {
+  /// The edges of the whole triangle, each cut to the clipping volume by itself; or its vertices as points. Is any
+  /// left?
+  bool add_edges() {
     bool any = false;
     for (std::size_t k = 0; k < 3; ++k) {
       const bool points = inputs_.settings.draw == Draw::points;
@@ -318,7 +320,12 @@ class Assembler {
       if (!clip_segment(a, b, inputs_.planes)) continue;
       any = add_line(inputs_.projection.centred(a), inputs_.projection.centred(b)) || any;
     }
-    if (any) {
+    return any;
+  }
+
+  /// The triangle as its edges or vertices alone.
+  void outline() {
+    if (add_edges()) {
       recorder_.count(Counter::triangles_drawn);
     } else {
       recorder_.count(Counter::triangles_clipped_away);
@@ -419,7 +426,7 @@ template <class Real>
 Batch<Real> assemble(const RasterInputs<Real>& inputs, const VertexBuffer<Real>& vertices, const TriangleRun& run,
                      std::optional<Vec2i> inspected) {
   Batch<Real> batch;
-  if (!inspected && inputs.settings.draw == Draw::filled && !inputs.settings.backface_culling)
+  if (!inspected && fills(inputs.settings.draw) && !inputs.settings.backface_culling)
     batch.triangles.reserve(run.last - run.first);
   Assembler<Real>(inputs, vertices, run, inspected, batch).add_run();
   return batch;

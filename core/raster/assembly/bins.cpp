@@ -17,13 +17,12 @@ TileRect touched(const RasterInputs<Real>&, const ScreenLine<Real>& line) {
   return line.box;
 }
 
-/// Calls visit(primitive) for the triangle or line that `ref` names, whichever the picture is made of.
+/// Calls visit(primitive) for the triangle or line that `ref` names.
 template <class Real, class Visit>
-auto with_primitive(const RasterInputs<Real>& inputs, const ScreenGeometry<Real>& geometry, const PrimitiveRef& ref,
-                    Visit&& visit) {
+auto with_primitive(const ScreenGeometry<Real>& geometry, const PrimitiveRef& ref, Visit&& visit) {
   const Batch<Real>& batch = geometry.batches[ref.batch];
-  if (inputs.settings.draw == Draw::filled) return visit(batch.triangles[ref.index]);
-  return visit(batch.lines[ref.index]);
+  if (ref.is_line()) return visit(batch.lines[ref.index]);
+  return visit(batch.triangles[ref.index]);
 }
 
 }  // namespace
@@ -32,14 +31,22 @@ template <class Real>
 std::vector<PrimitiveRef> drawing_order(const RasterInputs<Real>& inputs, const ScreenGeometry<Real>& geometry) {
   std::vector<PrimitiveRef> order;
   std::size_t total = 0;
-  for (const Batch<Real>& batch : geometry.batches)
-    total += inputs.settings.draw == Draw::filled ? batch.triangles.size() : batch.lines.size();
+  for (const Batch<Real>& batch : geometry.batches) total += batch.triangles.size() + batch.lines.size();
   order.reserve(total);
   for (std::size_t b = 0; b < geometry.batches.size(); ++b) {
     const Batch<Real>& batch = geometry.batches[b];
-    const std::size_t count = inputs.settings.draw == Draw::filled ? batch.triangles.size() : batch.lines.size();
-    for (std::size_t i = 0; i < count; ++i)
-      order.push_back({static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(i)});
+    const auto number = static_cast<std::uint32_t>(b);
+    std::uint32_t line = 0;
+    // The lines of a triangle come after all of its pieces.
+    const auto add_lines_before = [&](std::uint32_t sequence) {
+      for (; line < batch.lines.size() && batch.lines[line].sequence < sequence; ++line)
+        order.push_back({number, line, PrimitiveShape::line});
+    };
+    for (std::size_t i = 0; i < batch.triangles.size(); ++i) {
+      add_lines_before(batch.triangles[i].sequence);
+      order.push_back({number, static_cast<std::uint32_t>(i)});
+    }
+    add_lines_before(~std::uint32_t{0});
   }
   if (inputs.settings.visibility != Visibility::painter) return order;
   struct Place {
@@ -47,7 +54,7 @@ std::vector<PrimitiveRef> drawing_order(const RasterInputs<Real>& inputs, const 
     std::uint32_t sequence;
   };
   const auto place = [&](const PrimitiveRef& ref) {
-    return with_primitive(inputs, geometry, ref, [](const auto& p) { return Place{p.sort_depth, p.sequence}; });
+    return with_primitive(geometry, ref, [](const auto& p) { return Place{p.sort_depth, p.sequence}; });
   };
   std::stable_sort(order.begin(), order.end(), [&](const PrimitiveRef& a, const PrimitiveRef& b) {
     const Place first = place(a);
@@ -73,8 +80,7 @@ Bins bin_primitives(const RasterInputs<Real>& inputs, const ScreenGeometry<Real>
     const auto part = static_cast<std::size_t>(index);
     const std::size_t last = order.size() * (part + 1) / bins.parts;
     for (std::size_t i = order.size() * part / bins.parts; i < last; ++i) {
-      const TileRect box =
-          with_primitive(inputs, geometry, order[i], [&](const auto& p) { return touched(inputs, p); });
+      const TileRect box = with_primitive(geometry, order[i], [&](const auto& p) { return touched(inputs, p); });
       for (int row = box.y0 / tile_size; row <= (box.y1 - 1) / tile_size; ++row)
         for (int column = box.x0 / tile_size; column <= (box.x1 - 1) / tile_size; ++column)
           bins.lists[part * bins.tiles + static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column)]

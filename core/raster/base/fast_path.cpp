@@ -11,8 +11,10 @@ using namespace raster;
 /// Why fragments come one after the other; empty if they come in batches.
 std::string_view no_batches(const Settings& s, const SceneTraits& t, Channel channels) {
   constexpr int after_interpolation = 40;
-  return fast_limit(FastCode::fragment_batches, s, t, after_interpolation,
-                    only_fast_channels(channels) ? "" : "only scalar code stores what this view shows");
+  std::string_view own;
+  if (!only_fast_channels(channels)) own = "only scalar code stores what this view shows";
+  if (t.term_colours && s.lighting) own = "SIMD needs one colour per light";
+  return fast_limit(FastCode::fragment_batches, s, t, after_interpolation, own);
 }
 
 /// Why some surface's fragments are shaded one after the other; empty if none are.

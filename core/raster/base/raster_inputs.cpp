@@ -20,7 +20,7 @@ RasterInputs<Real> make_raster_inputs(const Scene& scene, const View& view, cons
   inputs.backward = Vec3<Real>(-view.camera.forward);
   inputs.planes = make_clip_planes<Real>(settings, inputs.viewport);
   inputs.grid = {settings.subpixel_bits, settings.fill_rule, inputs.viewport.sample,
-                 sample_count(settings.multisampling)};
+                 settings.draw == Draw::outlined ? 1 : sample_count(settings.multisampling)};
   inputs.coverage = {settings.coverage, settings.edge_arithmetic};
   inputs.depth = make_depth_code(settings, inputs.viewport.distance);
   inputs.lights = shading_lights<Real>(*scene.lights, settings.light_shown);

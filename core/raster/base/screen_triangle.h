@@ -55,10 +55,14 @@ struct Batch {
   std::uint64_t elsewhere = 0;             ///< rejected far from the inspected pixel
 };
 
-/// Names a triangle or a line: number `index` of batch `batch`.
+enum class PrimitiveShape : std::uint8_t { triangle, line };
+
+/// Names a triangle or a line: number `index` of those of batch `batch`.
 struct PrimitiveRef {
   std::uint32_t batch = 0;
   std::uint32_t index = 0;
+  PrimitiveShape shape = PrimitiveShape::triangle;
+  bool is_line() const { return shape == PrimitiveShape::line; }
 };
 
 }  // namespace ps::raster

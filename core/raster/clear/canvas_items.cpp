@@ -103,8 +103,9 @@ template <class Real, class Recorder>
 void draw_edge(const RasterInputs<Real>& inputs, const ScreenLine<Real>& line, Target<Real>& target,
                Recorder& recorder) {
   const Surface<Real>& surface = inputs.surfaces[line.surface];
-  const LinePaint<Real> paint{
-      surface.material.colour, Blend::replace, {surface.object, surface.sphere ? 0 : line.triangle}};
+  Vec3<Real> colour = surface.material.colour;
+  if (inputs.settings.draw == Draw::outlined) colour *= Real(0.75);  // of the author's program for CGFS ch. 12
+  const LinePaint<Real> paint{colour, Blend::replace, {surface.object, surface.sphere ? 0 : line.triangle}};
   draw_line(inputs, line, paint, target, recorder);
 }
 

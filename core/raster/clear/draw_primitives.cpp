@@ -318,10 +318,10 @@ void draw_primitives(const RasterInputs<Real>& inputs, const ScreenGeometry<Real
                      Recorder& recorder) {
   TriangleDrawer<Real, Recorder> triangles(inputs, geometry, step, target, recorder);
   for (const PrimitiveRef& ref : primitives)
-    if (inputs.settings.draw == Draw::filled)
-      triangles.draw(ref);
-    else
+    if (ref.is_line())
       draw_edge(inputs, geometry.batches[ref.batch].lines[ref.index], target, recorder);
+    else
+      triangles.draw(ref);
 }
 
 template <class Real, class Recorder>

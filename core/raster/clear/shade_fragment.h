@@ -125,7 +125,8 @@ Vec3<Real> map_normal(const RasterInputs<Real>& inputs, const TriangleSetup<Real
   const int slot = setup.surface->layout.tangents, index = setup.surface->material.normal_map;
   const TangentFrame<Real> frame{interpolate3(inputs, setup, fragment, slot),
                                  interpolate3(inputs, setup, fragment, slot + 3)};
-  const auto space = tangent_space(normal, frame);
+  const auto& placing = setup.surface->placing;
+  const auto space = placing ? tangent_space(normal, frame, *placing) : tangent_space(normal, frame);
   if (!space) return normal;
   const Vec3<Real> stored = stored_normal(read_texture(inputs, setup, fragment, index, place, recorder).colour);
   const Vec3<Real> mapped = mapped_normal(*space, stored);

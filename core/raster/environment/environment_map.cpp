@@ -189,7 +189,7 @@ class MapMaker {
 }  // namespace
 
 bool uses_environment(const Settings& settings, const Scene& scene) {
-  return settings.environment != Environment::none && settings.draw == Draw::filled && scene_traits(scene).reflective;
+  return settings.environment != Environment::none && fills(settings.draw) && scene_traits(scene).reflective;
 }
 
 std::shared_ptr<const EnvironmentMaps> draw_environment_maps(const Scene& scene, const Settings& settings,

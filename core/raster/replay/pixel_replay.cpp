@@ -28,7 +28,7 @@ PixelReplay<Real>::PixelReplay(const RasterInputs<Real>& inputs, Vec2i pixel, co
     : inputs_(inputs), pixel_(pixel), geometry_(make_geometry(inputs, std::optional(pixel), parallel, progress)),
       batches_(static_cast<std::uint32_t>(geometry_.batches.size())) {
   for (const PrimitiveRef& ref : drawing_order(inputs, geometry_))
-    if (is_near(geometry_.batches[ref.batch].triangles[ref.index])) near_.push_back(ref);
+    if (!ref.is_line() && is_near(geometry_.batches[ref.batch].triangles[ref.index])) near_.push_back(ref);
   geometry_.batches.reserve(2 * geometry_.batches.size());
   for (std::size_t i = 0; i < batches_; ++i) {
     Batch<Real> whole = geometry_.batches[i];

@@ -44,11 +44,6 @@ struct Models {
 
 Key& add(Key& key, const Vec3d& v) { return key.add(v.x).add(v.y).add(v.z); }
 
-Mat3d linear_part(const Transform& transform) {
-  return Mat3d(transform.rotation[0] * transform.scale.x, transform.rotation[1] * transform.scale.y,
-               transform.rotation[2] * transform.scale.z);
-}
-
 /// The model of an instance that is curved, where the settings ask for its triangles anew; else null.
 const Mesh* curved_model(const Scene& scene, const Object& object, Patches patches) {
   const auto* instance = std::get_if<Instance>(&object.shape);

@@ -60,7 +60,7 @@ std::vector<LeftOut> left_out_by_fragments(const SceneTraits& traits, const Sett
                                subject),
                    "No dynamic objects in mirrors.",
                    {{"All objects", "environment-objects=all"}}});
-  if (settings.draw == Draw::filled)
+  if (fills(settings.draw))
     if (auto dark = missing_light(traits, settings, subject)) all.push_back(std::move(*dark));
   return all;
 }

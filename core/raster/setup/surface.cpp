@@ -1,5 +1,7 @@
 #include "raster/setup/surface.h"
 
+#include "scene/world.h"
+
 namespace ps::raster {
 
 template <class Real>
@@ -18,6 +20,9 @@ Surfaces<Real> make_surfaces(const Scene& scene, const std::vector<DrawObject>& 
       surface.layout = make_layout(settings, needs, material, *object.mesh, channels);
       surface.material = shading_material<Real>(material);
       const AttributeLayout& layout = surface.layout;
+      if (layout.mapped_normal && settings.mapped_normals == MappedNormals::inverse_transpose)
+        surface.placing =
+            placing_of<Real>(linear_part(scene.geometry->objects[static_cast<std::size_t>(object.object)]));
       surfaces.textured = surfaces.textured || layout.tangents != AttributeLayout::absent || layout.reflection_map ||
                           (settings.textures && layout.uv != AttributeLayout::absent && needs_uv(material));
       surfaces.list.push_back(std::move(surface));

@@ -1,8 +1,10 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "raster/setup/attributes.h"
 #include "raster/setup/draw_list.h"
+#include "shade/normal_mapping.h"
 #include "shade/shading_inputs.h"
 
 namespace ps::raster {
@@ -15,6 +17,7 @@ struct Surface {
   bool sphere = false;
   AttributeLayout layout;
   ShadingMaterial<Real> material;
+  std::optional<Placing<Real>> placing;  ///< where mapped normals go by the inverse transpose
 };
 
 /// The surfaces of all objects of a picture, object by object.

@@ -108,7 +108,7 @@ std::uint64_t shadow_map_bytes(const std::vector<Light>& lights, int size) {
 }
 
 bool uses_shadow_maps(const Settings& settings, const Scene& scene) {
-  return settings.shadows == Shadows::map && settings.lighting && settings.draw == Draw::filled &&
+  return settings.shadows == Shadows::map && settings.lighting && fills(settings.draw) &&
          scene_traits(scene).casting_lights;
 }
 

@@ -132,8 +132,8 @@ struct LightVolumes {
 
 bool uses_stencil(const Settings& settings, const Scene& scene) {
   const bool asked = settings.shadows == Shadows::stencil_depth_fail || settings.shadows == Shadows::stencil_depth_pass;
-  return asked && settings.lighting && settings.draw == Draw::filled &&
-         settings.visibility == Visibility::depth_buffer && scene_traits(scene).casting_lights;
+  return asked && settings.lighting && fills(settings.draw) && settings.visibility == Visibility::depth_buffer &&
+         scene_traits(scene).casting_lights;
 }
 
 Stencil make_stencil(const Scene& scene, const View& view, const Settings& settings, const TileRect& rect,

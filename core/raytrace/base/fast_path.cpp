@@ -21,6 +21,7 @@ std::string_view no_sphere_packets(const Settings& s, const SceneTraits& t, Chan
   if (const auto reason = fast_limit(FastCode::sphere_packets, s, t); !reason.empty()) return reason;
   if (t.textures || t.normal_maps) return "packets do not support textures";
   if (t.tinted) return "packets need one colour per surface";
+  if (t.term_colours) return "packets need one colour per light";
   if (t.odd_highlights) return "packets need exponents above 0";
   if (t.any_transparency) return "packets do not support transparency";
   return "";
@@ -47,9 +48,10 @@ std::string_view no_plain_surfaces(const SceneTraits& t) {
 /// Which hits SIMD shades besides, and why not more.
 FastPath shaded_hits(const Settings& s, const SceneTraits& t, Channel channels) {
   constexpr int after_sampling = 30, before_reflection = 20;
-  const std::string_view none =
-      fast_limit(FastCode::hit_shading, s, t, after_sampling,
-                 only_fast_channels(channels) ? "" : "only scalar shading stores what this view shows");
+  std::string_view own;
+  if (!only_fast_channels(channels)) own = "only scalar shading stores what this view shows";
+  if (t.term_colours) own = "SIMD shading needs one colour per light";
+  const std::string_view none = fast_limit(FastCode::hit_shading, s, t, after_sampling, own);
   if (!none.empty()) return {Machinery::wide_triangles, SurfaceShading::single, none};
   const std::string_view some = fast_limit(FastCode::every_hit, s, t, before_reflection, no_plain_surfaces(t));
   return {Machinery::wide_triangles, some.empty() ? SurfaceShading::lanes : SurfaceShading::mixed, some};

@@ -15,9 +15,10 @@ struct Ray {
   Vec3<Real> direction{0, 0, 1};
   Real t_min = 0;
   Real t_max = 0;
-  /// The primitive on whose surface the origin is known to lie (self-hit = offset), or no_primitive.
+  /// The primitive on whose surface the origin is known to lie (self-hit = offset, exclusion), or no_primitive.
   std::uint32_t start = no_primitive;
   bool passes_transparent = false;  ///< shadow rays: transparent primitives are not in the way
+  bool excludes_start = false;      ///< `start` is not tested at all (self-hit = exclusion)
   std::uint32_t start_detail = 0;   ///< Hit::detail of the place where it starts
 };
 

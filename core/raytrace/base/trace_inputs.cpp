@@ -5,6 +5,7 @@
 #include "math/unit.h"
 #include "raytrace/base/eye_bodies.h"
 #include "raytrace/base/fast_path.h"
+#include "scene/world.h"
 
 namespace ps {
 namespace {
@@ -57,6 +58,10 @@ TraceInputs<Real> make_trace_inputs(const Scene& scene, const View& view, const 
     inputs.textures.push_back(texture.texels);
     inputs.wraps.push_back(texture.clamped ? TextureWrap::clamp : settings.texture_wrap);
   }
+  if (settings.normal_mapping && settings.mapped_normals == MappedNormals::inverse_transpose &&
+      prepared_traits(scene, prepared).normal_maps)
+    for (const Object& object : scene.geometry->objects)
+      inputs.placings.push_back(placing_of<Real>(linear_part(object)));
   inputs.background = Vec3<Real>(scene.background);
   inputs.settings = settings;
   inputs.viewport = make_viewport<Real>(view, settings);

@@ -8,6 +8,7 @@
 #include "frame/viewport.h"
 #include "raytrace/base/accelerators.h"
 #include "raytrace/base/geometry.h"
+#include "shade/normal_mapping.h"
 #include "shade/shading_inputs.h"
 
 namespace ps {
@@ -26,7 +27,8 @@ struct TraceInputs {
   std::vector<ShadingMaterial<Real>> materials;
   std::vector<ShadingLight<Real>> lights;
   std::vector<std::shared_ptr<const Image<Vec3f>>> textures;
-  std::vector<TextureWrap> wraps;  ///< of each texture
+  std::vector<TextureWrap> wraps;       ///< of each texture
+  std::vector<Placing<Real>> placings;  ///< of each object, where mapped normals go by the inverse transpose
   bool any_transparent = false;
   std::vector<EyeBody> eye_bodies;
   FastPath path;             ///< what may draw the picture

@@ -113,6 +113,10 @@ template <class Real, class Recorder>
 bool Intersector<Real, Recorder>::test(const Query& query, std::uint32_t index, const Primitive& primitive,
                                        Hit<Real>& best) const {
   if (query.ray.passes_transparent && inputs_.materials[primitive.material].passes_light()) return false;
+  if (query.ray.excludes_start && index == query.ray.start) {
+    report_excluded(primitive);
+    return false;
+  }
   switch (primitive.kind) {
   case PrimitiveKind::sphere:
     return test_sphere(query, index, primitive, best);
@@ -122,6 +126,19 @@ bool Intersector<Real, Recorder>::test(const Query& query, std::uint32_t index, 
     return test_solid(query, index, primitive, best);
   }
   return false;
+}
+
+template <class Real, class Recorder>
+void Intersector<Real, Recorder>::report_excluded(const Primitive& primitive) const {
+  constexpr auto excluded = TestOutcome::excluded;
+  switch (primitive.kind) {
+  case PrimitiveKind::sphere:
+    return recorder_.event([&] { return SphereTestEvent{primitive.id, excluded, 0, {}}; });
+  case PrimitiveKind::triangle:
+    return recorder_.event([&] { return TriangleTestEvent{primitive.id, excluded, {}, {}, {}}; });
+  case PrimitiveKind::solid:
+    return recorder_.event([&] { return SolidTestEvent{primitive.id, excluded, {}, {}}; });
+  }
 }
 
 // Comparisons are written so that they fail for NaN.
@@ -189,7 +206,8 @@ template <class Real, class Recorder>
 TriangleResult<Real> Intersector<Real, Recorder>::result_in_double(const Query& query,
                                                                    const TracedTriangle<Real>& triangle) const {
   const Ray<Real>& narrow = query.ray;
-  const Ray<double> ray{Vec3d(narrow.origin), Vec3d(narrow.direction), 0, 0, narrow.start};
+  const Ray<double> ray{Vec3d(narrow.origin), Vec3d(narrow.direction), 0, 0, narrow.start, false,
+                        narrow.excludes_start};
   const TracedTriangle<double> wide{Vec3d(triangle.a), Vec3d(triangle.b), Vec3d(triangle.c)};
   const auto found = ps::triangle_result<double>(
       inputs_.settings.triangle_test,

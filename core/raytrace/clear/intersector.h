@@ -56,6 +56,8 @@ class Intersector final : public RaySearch<Real> {
   bool test_triangle(const Query& query, std::uint32_t index, const Primitive& primitive, Hit<Real>& best) const;
   bool test_solid(const Query& query, std::uint32_t index, const Primitive& primitive, Hit<Real>& best) const;
   /// Is t in the ray's range, and better than what is known? Not for NaN.
+  /// Reports that a primitive is not tested, since the ray leaves it.
+  void report_excluded(const Primitive& primitive) const;
   static TestOutcome judge(const Ray<Real>& ray, Real t, std::uint32_t index, const Hit<Real>& best);
 
   SphereRoots<Real> sphere_roots(const Query& query, std::uint32_t index, const TracedSphere<Real>& sphere) const;

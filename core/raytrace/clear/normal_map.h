@@ -105,4 +105,17 @@ inline std::optional<TangentFrame<Real>> tangents_of(const SurfacePoint<Real>& s
   return {};
 }
 
+/// The placing of the surface: that of its object, or of the part of a CSG object.
+template <class Real>
+inline Placing<Real> placing_at(const SurfacePoint<Real>& surface, const TraceInputs<Real>& inputs) {
+  const TracedGeometry<Real>& geometry = *inputs.geometry;
+  const Primitive primitive = primitive_of(geometry, surface.primitive);
+  if (primitive.kind == PrimitiveKind::solid) {
+    const TracedForm<Real>& form =
+        geometry.forms[geometry.solids[primitive.shape].first_form + detail_part(surface.detail)];
+    if (form.place >= 0) return placing_of<Real>(Mat3d(geometry.places[static_cast<std::size_t>(form.place)].to_world));
+  }
+  return inputs.placings[static_cast<std::size_t>(primitive.id.object)];
+}
+
 }  // namespace ps

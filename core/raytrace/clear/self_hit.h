@@ -40,6 +40,9 @@ inline Vec3<Real> mirrored_direction(const SurfacePoint<Real>& surface, const Ve
 ///                bound of their rounding error, so that neighbours are safe too: no false self-hit, no knob
 ///   epsilon      hits up to t = epsilon do not count (CGFS ch. 4)
 ///   normal_bump  it starts epsilon above the surface, on the side from which the surface was seen (CGPP)
+///   exclusion    the sphere, triangle or solid that it leaves is not tested (CGPP 15.4.8): one that a ray can meet
+///   twice
+///                is then missed the second time
 template <class Real>
 inline Ray<Real> leaving_ray(const SurfacePoint<Real>& surface, const Vec3<Real>& direction, Real t_max, Real epsilon,
                              const TraceInputs<Real>& inputs) {
@@ -64,6 +67,10 @@ inline Ray<Real> leaving_ray(const SurfacePoint<Real>& surface, const Vec3<Real>
     break;
   case SelfHit::normal_bump:
     ray.origin = surface.point + surface.geometric_normal * (surface.back_face ? -epsilon : epsilon);
+    break;
+  case SelfHit::exclusion:
+    ray.start = surface.primitive;
+    ray.excludes_start = true;
     break;
   }
   return ray;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "raytrace/clear/lamp.h"
 #include "raytrace/clear/normal_map.h"
 #include "raytrace/clear/self_hit.h"
 #include "shade/fresnel.h"
@@ -72,6 +73,26 @@ std::optional<PixelId> Tracer<Real, Recorder>::find_blocker(const SurfacePoint<R
   recorder_.end();
   if (!hit.found()) return {};
   return id_of(*inputs_.geometry, hit);
+}
+
+template <class Real, class Recorder>
+Blocking<Real> Tracer<Real, Recorder>::find_blocking(const SurfacePoint<Real>& surface, int light,
+                                                     const Vec3<Real>& to_light, Real t_max) const {
+  const Real radius = inputs_.lights[static_cast<std::size_t>(light)].radius;
+  const int rays = inputs_.settings.shadow_samples;
+  if (rays == 1 || !(radius > 0)) return find_blocker(surface, light, to_light, t_max);
+  const LampDisc<Real> disc(to_light, radius);
+  const Vec2i place = pattern_place(surface.point, light);
+  std::optional<PixelId> blocker;
+  int arrived = 0;
+  for (int i = 0; i < rays; ++i) {
+    const Vec2d square = sample_in_square(inputs_.settings.shadow_pattern, i, rays, place);
+    const auto found = find_blocker(surface, light, disc.towards(square), t_max);
+    if (found && !blocker) blocker = found;
+    arrived += found ? 0 : 1;
+  }
+  if (arrived == 0) return blocker;
+  return Blocking<Real>::partly(static_cast<Real>(arrived) / static_cast<Real>(rays));
 }
 
 template <class Real, class Recorder>
@@ -251,11 +272,11 @@ Vec3<Real> Tracer<Real, Recorder>::local_colour(const Ray<Real>& ray, const Surf
     const LitPoint<Real> point{surface.point, surface.shading_normal, -ray.direction};
     const IlluminationOptions options = illumination_options(inputs_.settings);
     const bool useful_only = inputs_.settings.shadow_rays == ShadowRays::useful;
-    const auto blocked = [&](int light, const Vec3<Real>& to_light, Real t_max) {
+    const auto blocked = [&](int light, const Vec3<Real>& to_light, Real t_max) -> Blocking<Real> {
       if (useful_only && !adds_light(point, material, to_light, options)) return std::optional<PixelId>();
-      const std::optional<PixelId> blocker = find_blocker(surface, light, to_light, t_max);
-      if (blocker && first && light < 32) first->shadow_mask |= 1u << light;
-      return blocker;
+      const Blocking<Real> found = find_blocking(surface, light, to_light, t_max);
+      if (found.visible < 1 && first && light < 32) first->shadow_mask |= 1u << light;
+      return found;
     };
     lighting = illuminate<Real>(point, material, inputs_.lights, options, blocked, recorder_);
   }
@@ -289,7 +310,9 @@ template <class Real, class Recorder>
 void Tracer<Real, Recorder>::map_normal(const ShadingMaterial<Real>& material, SurfacePoint<Real>& surface) const {
   const auto frame = tangents_of(surface, *inputs_.geometry);
   if (!frame) return;
-  const auto space = tangent_space(surface.shading_normal, *frame);
+  const auto space = inputs_.placings.empty()
+                         ? tangent_space(surface.shading_normal, *frame)
+                         : tangent_space(surface.shading_normal, *frame, placing_at(surface, inputs_));
   if (!space) return;
   const Vec3<Real> stored = stored_normal(read_finest(material.normal_map, surface.uv));
   const Vec3<Real> before = surface.shading_normal;

@@ -70,6 +70,9 @@ class Tracer {
                                       Real t_max) const;
 
  private:
+  /// The same for a light that may be a lamp: then several shadow rays find the share of it that is seen.
+  Blocking<Real> find_blocking(const SurfacePoint<Real>& surface, int light, const Vec3<Real>& to_light,
+                               Real t_max) const;
   /// The colour that comes back along `ray` after `depth` bounces, one at least.
   Vec3<Real> trace(const Ray<Real>& ray, RayKind kind, int depth, Real share, const Medium<Real>& medium) const;
   /// The colour that comes back along `ray` from `hit`, or from the background. `first` notes what the eye ray found.

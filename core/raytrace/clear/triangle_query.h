@@ -22,7 +22,8 @@ inline TriangleResult<Real> triangle_result(TriangleTest test, const TriangleQue
   switch (test) {
   case TriangleTest::watertight:
     return triangle_watertight(ray.origin, query.shear, triangle,
-                               ray.start == no_primitive ? TriangleGuard::none : TriangleGuard::rounding_of_t);
+                               ray.start == no_primitive || ray.excludes_start ? TriangleGuard::none
+                                                                               : TriangleGuard::rounding_of_t);
   case TriangleTest::moeller_trumbore:
     return triangle_moeller_trumbore(ray.origin, ray.direction, triangle, query.epsilon);
   case TriangleTest::barycentric:

@@ -45,6 +45,7 @@ struct List<LightEvent> {
                                    field<&E::r_dot_v>("r-dot-v", has_direction),
                                    field<&E::diffuse>("diffuse"),
                                    field<&E::specular>("specular"),
+                                   field<&E::ambient>("ambient", [](const E& e) { return e.ambient != 0; }),
                                    field<&E::blocker>("blocker"),
                                    field<&E::visible>("visible", [](const E& e) { return e.visible != 1; }),
                                    labelled("faces away", field<&E::below_horizon>("below-horizon"))};

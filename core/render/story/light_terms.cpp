@@ -29,10 +29,10 @@ SurfaceColours surface_colours(const Scene& scene, const PixelId& id, const Vec3
   return colours;
 }
 
-/// White for a light that the scene does not have.
-Vec3d light_colour(const Scene& scene, int light) {
+/// A white one for a light that the scene does not have.
+Light light_of(const Scene& scene, int light) {
   const bool known = light >= 0 && static_cast<std::size_t>(light) < scene.lights->size();
-  return known ? (*scene.lights)[static_cast<std::size_t>(light)].colour : Vec3d{1, 1, 1};
+  return known ? (*scene.lights)[static_cast<std::size_t>(light)] : Light{};
 }
 
 std::string share_prefix(double share) { return share == 1 ? "" : number_text(share) + " x "; }
@@ -47,17 +47,20 @@ std::vector<LedgerLine> terms_of_light(const PixelStory& story, const Scene& sce
                                        int index, double share, int level) {
   const auto& light = event_as<LightEvent>(story.events, index);
   const std::string name = light_name(scene, light.light);
-  const Vec3d tint = light_colour(scene, light.light);
-  const auto line = [&](std::string_view term, double intensity, const Vec3d& surface) {
+  const Light source = light_of(scene, light.light);
+  const auto line = [&](std::string_view term, double intensity, const Vec3d& tint, const Vec3d& surface) {
     const std::string product = product_text(share, intensity, tint, surface);
     return LedgerLine{level, fmt::format("{}{}: {}", name, term, product), share * intensity * tint * surface, index};
   };
   std::vector<LedgerLine> lines;
   if (light.kind == LightKind::ambient) {
-    if (!adds_nothing(light.diffuse)) lines.push_back(line("", light.diffuse, colours.ambient));
+    if (!adds_nothing(light.diffuse)) lines.push_back(line("", light.diffuse, source.colour, colours.ambient));
   } else {
-    if (!adds_nothing(light.diffuse)) lines.push_back(line(" diffuse", light.diffuse, colours.diffuse));
-    if (!adds_nothing(light.specular)) lines.push_back(line(" specular", light.specular, colours.specular));
+    if (!adds_nothing(light.ambient))
+      lines.push_back(line(" ambient", light.ambient, source.ambient_colour, colours.ambient));
+    if (!adds_nothing(light.diffuse)) lines.push_back(line(" diffuse", light.diffuse, source.colour, colours.diffuse));
+    if (!adds_nothing(light.specular))
+      lines.push_back(line(" specular", light.specular, highlight_colour(source), colours.specular));
   }
   if (lines.empty())
     lines.push_back(
@@ -128,7 +131,7 @@ Vec3d highlight_of_point(const PixelStory& story, const Scene& scene, int index)
     if (event.parent < index) break;
     const auto* light = std::get_if<LightEvent>(&event.data);
     if (!light || event.parent != index || adds_nothing(light->specular)) continue;
-    sum += light->specular * light_colour(scene, light->light) * colours.specular;
+    sum += light->specular * highlight_colour(light_of(scene, light->light)) * colours.specular;
   }
   return sum;
 }

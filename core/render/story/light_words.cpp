@@ -27,6 +27,11 @@ std::string light_text(const Vec3d& light) {
 }
 
 std::string light_effect_text(const Scene& scene, const LightEvent& light, LightWords words) {
+  if (light.ambient != 0) {
+    LightEvent other = light;
+    other.ambient = 0;
+    return fmt::format("{}, ambient {}", light_effect_text(scene, other, words), number_text(light.ambient));
+  }
   const bool whole = words == LightWords::whole;
   if (light.kind == LightKind::ambient)
     return adds_nothing(light.diffuse) ? "emits no light" : fmt::format("{} everywhere", number_text(light.diffuse));
@@ -37,8 +42,8 @@ std::string light_effect_text(const Scene& scene, const LightEvent& light, Light
   }
   if (light.blocker) return "blocked by " + primitive_name(scene, *light.blocker);
   if (light.visible <= 0) return "in shadow";
-  // A surface that faces an unblocked light is lit, unless the light is switched off.
-  if (light.diffuse == 0 && light.specular == 0) return "emits no light";
+  // A surface that faces an unblocked light is lit, unless the light or its diffuse term is switched off.
+  if (light.diffuse == 0 && light.specular == 0) return "adds no light";
   const std::string share = whole && light.visible < 1
                                 ? fmt::format("{} % reaches the point, ", number_text(100 * light.visible))
                                 : std::string();

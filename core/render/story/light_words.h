@@ -18,7 +18,7 @@ enum class LightWords {
 };
 
 /// The effect of a light at a point of a surface, without its name: "0.2 everywhere", "diffuse 0.47, specular 0.32",
-/// "blocked by sphere 3", "in shadow", "emits no light". Terms of 0 are described without their number.
+/// "blocked by sphere 3", "in shadow", "adds no light". Terms of 0 are described without their number.
 std::string light_effect_text(const Scene& scene, const LightEvent& light, LightWords words);
 
 /// Light as one number where its channels are equal, else as three.

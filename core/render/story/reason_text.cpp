@@ -28,6 +28,8 @@ std::string_view outcome_text(TestOutcome outcome) {
     return "missed: ray parallel to its plane";
   case TestOutcome::degenerate:
     return "skipped: zero area";
+  case TestOutcome::excluded:
+    return "not tested: the ray starts on it";
   }
   return "";
 }

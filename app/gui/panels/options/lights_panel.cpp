@@ -4,11 +4,50 @@
 
 #include <cstddef>
 
+#include "gui/panels/options/vector_field.h"
 #include "gui/widgets/widgets.h"
 #include "record/value_text.h"
 #include "render/story/names.h"
+#include "scene/scene_text.h"
 
 namespace ps::gui {
+namespace {
+
+/// Sets a property of light `index` after a field was edited.
+void set_light(Session& session, std::size_t index, std::string_view property, std::string_view words,
+               const std::string& value, const Edit& edit) {
+  if (edit.changed)
+    session.edit(fmt::format("{} of light {}", words, index), fmt::format("light/{}/{}", index, property),
+                 [&](Document& document) {
+                   edit_scene(document, {fmt::format("light.{}.{}", index, property), value});
+                 });
+  if (edit.finished) session.end_drag();
+}
+
+/// The colour that each term of the illumination equation takes of the light, and its size.
+void term_fields(Session& session, std::size_t index, const Light& light) {
+  struct Term {
+    const char *property, *label, *tooltip;
+    Vec3d colour;
+  };
+  for (Term term :
+       {Term{"color", "Diffuse: red, green, blue", "Of light that surfaces scatter.", light.colour},
+        Term{"specular_color", "Highlights", "Of the highlights that it makes.", highlight_colour(light)},
+        Term{"ambient_color", "Ambient", "Of light that it adds everywhere, in shadow too.", light.ambient_colour}}) {
+    show_text(term.label, {.quiet = true});
+    const auto edit = vector_field(fmt::format("{}/{}", index, term.property), term.colour,
+                                   {.minimum = 0, .maximum = 1}, term.tooltip);
+    set_light(session, index, term.property, term.label, scene_colour(term.colour), edit);
+  }
+  if (light.kind != LightKind::point) return;
+  show_text("Radius", {.quiet = true});
+  double radius = light.radius;
+  const auto edit = number(fmt::format("{}/radius", index), radius, {.minimum = 0, .maximum = 10},
+                           {.tooltip = "World units. Above 0 it is an area light: see the option Shadow samples."});
+  set_light(session, index, "radius", "radius", scene_number(radius), edit);
+}
+
+}  // namespace
 
 int selected_light(const Scene& scene, int wanted) {
   const auto& lights = *scene.lights;
@@ -38,15 +77,12 @@ void lights_panel(Session& session, int& selected, bool& open) {
     double intensity = light.intensity;
     const auto edit = number(fmt::format("{}/intensity", i), intensity, {.minimum = 0, .maximum = 2},
                              {.tooltip = "Intensity", .width = 0});
-    if (edit.changed)
-      session.edit(fmt::format("intensity of light {}", i), fmt::format("light/{}", i), [&](Document& document) {
-        edit_scene(document, {fmt::format("light.{}.intensity", i), fmt::format("{}", intensity)});
-      });
-    if (edit.finished) session.end_drag();
+    set_light(session, i, "intensity", "intensity", fmt::format("{}", intensity), edit);
     const std::string place = fmt::format("{}/place", i);
     if (light.kind == LightKind::point) value_text(place, "at " + vector_text(light.position), {.quiet = true});
     if (light.kind == LightKind::directional)
       value_text(place, "towards " + vector_text(light.direction), {.quiet = true});
+    if (movable && static_cast<int>(i) == chosen) term_fields(session, i, light);
     ImGui::PopID();
   }
 }

@@ -7,7 +7,7 @@ namespace ps::gui {
 /// lights if there is none.
 int selected_light(const Scene& scene, int wanted);
 
-/// The lights of the scene with their brightness; the one that keys move is marked.
+/// The lights of the scene with their brightness; the one that keys move is marked, and shows its colours and size.
 void lights_panel(Session& session, int& selected, bool& open);
 
 }  // namespace ps::gui

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "gui/input/key_hint.h"
+#include "gui/panels/options/vector_field.h"
 #include "gui/session/camera_moves.h"
 #include "gui/session/gizmo.h"
 #include "gui/widgets/draw.h"
@@ -45,21 +46,6 @@ class ObjectEdits {
   std::size_t object_;
   std::string name_;
 };
-
-/// Three numbers side by side.
-Edit vector_field(const char* name, Vec3d& value, const NumberRange& range, std::string_view tooltip) {
-  static constexpr std::array axes{"x", "y", "z"};
-  const float space = px(4), width = std::floor((ImGui::GetContentRegionAvail().x - 2 * space) / 3);
-  Edit all;
-  for (int i = 0; i < 3; ++i) {
-    if (i > 0) ImGui::SameLine(0, space);
-    const auto edit = number(fmt::format("{}/{}", name, axes[static_cast<std::size_t>(i)]), value[i], range,
-                             {.tooltip = tooltip, .width = width});
-    all.changed = all.changed || edit.changed;
-    all.finished = all.finished || edit.finished;
-  }
-  return all;
-}
 
 void place_field(ObjectEdits& edits, const char* property, Vec3d value) {
   show_text("Position");

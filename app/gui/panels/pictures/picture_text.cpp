@@ -63,7 +63,7 @@ std::vector<TitlePart> title_parts(const Settings& settings, const SceneTraits& 
     break;
   }
   case PictureWay::fragments:
-    if (settings.draw == Draw::filled && settings.lighting)
+    if (fills(settings.draw) && settings.lighting)
       parts.push_back({label_of("shading", settings), other_renderer || key_differs("shading")});
     break;
   case PictureWay::listing:

@@ -135,6 +135,7 @@ struct Drawer {
     case TestOutcome::back_side:
     case TestOutcome::parallel:
     case TestOutcome::degenerate:
+    case TestOutcome::excluded:
       (pen.*shape)(p.wrong_mark, Fill::hollow);
       return;
     }

@@ -58,6 +58,7 @@ bool came_to_nothing(TestOutcome outcome) {
   case TestOutcome::beyond_range:
   case TestOutcome::parallel:
   case TestOutcome::degenerate:
+  case TestOutcome::excluded:
     return true;
   }
   return false;

@@ -1,0 +1,108 @@
+// self-hit = exclusion (CGPP 15.4.8): a ray does not test the surface that it leaves. Right for triangles and for
+// spheres seen from outside; wrong for what a ray can leave and meet again.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "options/option.h"
+#include "scene/load.h"
+#include "scene/scene_file.h"
+#include "support/render_once.h"
+
+namespace exclusion_test {
+namespace {
+
+using namespace ps;
+
+Frame picture(const Scene& scene, SelfHit guard, int side = 61) {
+  Settings settings;
+  settings.self_hit = guard;
+  settings.near = 0.01;
+  return render(scene, {scene.camera, side, side}, settings, {});
+}
+
+double brightness(const Scene& scene, SelfHit guard) {
+  double sum = 0;
+  for (const Vec3f& colour : picture(scene, guard).colour.pixels()) sum += static_cast<double>(colour.y);
+  return sum / (61 * 61);
+}
+
+Scene of(const std::string& objects) {
+  return parse_scene("viewport_size = 1 x 1\nprojection_plane_d = 1\nbackground = black\n" + objects, "one.scene", ".");
+}
+
+// In the book's scene a surface never blocks its own light, so no shadow is lost. Where a surface's point is rounded to
+// its inside, the sphere that is not tested cannot be met.
+TEST(Exclusion, SpheresFromOutsideHaveNoAcne) {
+  const Scene scene = load_scene("cgfs/shadows");
+  const Frame offset = picture(scene, SelfHit::offset, 120), excluded = picture(scene, SelfHit::exclusion, 120);
+  int differing = 0;
+  for (std::size_t i = 0; i < offset.colour.pixels().size(); ++i) {
+    const Vec3f d = offset.colour.pixels()[i] - excluded.colour.pixels()[i];
+    differing += std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) > 0.004f;
+  }
+  std::cout << differing << " of 14400 pixels differ\n";
+  EXPECT_LE(differing, 30);  // at the horizon of a ball, where the light grazes it
+}
+
+// A ray that has entered a glass ball is to leave it on the other side. Exclusion does not test the ball again.
+TEST(Exclusion, GlassHasNoFarSide) {
+  const Scene glass =
+      of("sphere { center = (0, 0, 3)  radius = 1  color = white  transparency = 1  refraction_index = 1.5 }\n");
+  const auto rays = [&](SelfHit guard) {
+    const Frame frame = picture(glass, guard);
+    return *frame.counters.get(Counter::refraction_rays);
+  };
+  const std::uint64_t once = rays(SelfHit::exclusion), twice = rays(SelfHit::offset);
+  EXPECT_GT(once, 1000u);
+  EXPECT_EQ(twice, 2 * once);
+}
+
+// A brick with a hole: its inner wall blocks the light from above for the floor of the hole.
+TEST(Exclusion, AHollowSolidDoesNotShadowItself) {
+  const Scene hollow = of("camera { position = (0, 6, 0)  forward = (0, -1, 0)  up = (0, 0, 1)  right = (1, 0, 0) }\n"
+                          "difference {\n  box { center = (0, 0, 0)  size = (3, 2, 3)  color = white }\n"
+                          "  box { center = (0, 1, 0)  size = (2, 2.5, 2)  color = white }\n}\n"
+                          "light { type = directional  intensity = 1  direction = (2, 1, 0) }\n");
+  const double with_shadow = brightness(hollow, SelfHit::offset), without = brightness(hollow, SelfHit::exclusion);
+  EXPECT_GT(without, with_shadow * 1.1);
+}
+
+// A triangle is flat: a ray that leaves it never meets it again. Its neighbours are other triangles, and still block.
+TEST(Exclusion, AConcaveMeshKeepsItsShadows) {
+  const std::string gable =
+      "model { name = valley\n"
+      "  vertices { 0 = (-2, 2, 2)  1 = (0, -1, 2)  2 = (2, 2, 2)  3 = (-2, 2, 6)  4 = (0, -1, 6)  "
+      "5 = (2, 2, 6) }\n"
+      "  triangles { 0 = { vertices = [0, 3, 4] color = white }  1 = { vertices = [0, 4, 1] color = "
+      "white }  2 = { vertices = [1, 4, 5] color = white }  3 = { vertices = [1, 5, 2] color = "
+      "white } }\n}\n"
+      "instance { model = valley }\n"
+      "camera { position = (0, 5, 0)  forward = (0, -1, 1)  up = (0, 1, 1)  right = (1, 0, 0) }\n"
+      "light { type = directional  intensity = 1  direction = (3, 1, 0) }\n";
+  const Scene valley = of(gable);
+  const double offset = brightness(valley, SelfHit::offset), excluded = brightness(valley, SelfHit::exclusion);
+  EXPECT_GT(offset, 0.01);
+  EXPECT_NEAR(excluded, offset, 0.02 * offset);
+}
+
+// The story names the primitive that was left out, once for each ray that leaves a surface.
+TEST(Exclusion, TheStoryNamesWhatWasNotTested) {
+  const Scene scene = load_scene("cgfs/reflections");
+  Settings settings;
+  settings.self_hit = SelfHit::exclusion;
+  settings.accelerator = Accelerator::none;
+  const PixelStory story = inspect(scene, {scene.camera, 60, 60}, settings, {30, 33});
+  int excluded = 0, leaving = 0;
+  for (const Event& event : story.events) {
+    if (const auto* ray = std::get_if<RayEvent>(&event.data)) leaving += ray->kind != RayKind::eye;
+    if (const auto* test = std::get_if<SphereTestEvent>(&event.data))
+      excluded += test->outcome == TestOutcome::excluded;
+  }
+  EXPECT_GT(leaving, 2);
+  EXPECT_LE(excluded, leaving);
+  EXPECT_GE(excluded, leaving / 2) << "an any-hit search may end before it reaches the surface";
+}
+
+}  // namespace
+}  // namespace exclusion_test
