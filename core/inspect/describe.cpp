@@ -191,6 +191,10 @@ struct Describer {
     if (e.id.object < 0 && mixing_of(e) == Mixing::filters)
       return fmt::format("a shape multiplies {1} by {0}: {2}", vector_text(e.shaded), vector_text(e.before),
                          vector_text(e.after));
+    if (mixing_of(e) == Mixing::blends)
+      return fmt::format("{} is blended: source {} x {} + destination {} x {} = {}", primitive_name(scene, e.id),
+                         number_text(e.opacity), vector_text(e.shaded), number_text(1 - e.opacity),
+                         vector_text(e.before), vector_text(e.after));
     return fmt::format("{} writes {} over {}", e.id.object >= 0 ? primitive_name(scene, e.id) : "a shape",
                        vector_text(e.after), vector_text(e.before));
   }

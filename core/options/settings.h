@@ -44,6 +44,7 @@ enum class MappedNormals { world_frame, inverse_transpose };
 enum class Parallax { off, offset, limited, steep, occlusion };
 enum class Patches { as_made, projected_error };
 enum class LightPasses { one, many };
+enum class Blending { off, draw_order, sorted };
 enum class Environment { none, cube_map, room_map };
 enum class EnvironmentObjects { all, fixed };
 enum class Shadows { traced, none, map, stencil_depth_fail, stencil_depth_pass };
@@ -95,6 +96,7 @@ struct Settings {
   bool early_depth = false;
   bool deferred_shading = false;
   LightPasses light_passes = LightPasses::one;
+  Blending blending = Blending::off;
   int light_shown = all_lights;  ///< the index of the only light that shines, or all_lights
   int multisampling = 1;
 

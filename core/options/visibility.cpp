@@ -8,11 +8,28 @@ Reason needs_depth_buffer(const Settings& s, const SceneTraits&) {
   return {};
 }
 
+bool keeps_stencil_of_shadows(const Settings& s) {
+  return (s.shadows == Shadows::stencil_depth_fail || s.shadows == Shadows::stencil_depth_pass) &&
+         s.visibility == Visibility::depth_buffer;
+}
+/// With the conditions of needs_translucent().
+bool blends_when_drawn(const Settings& s) {
+  return s.blending != Blending::off && s.draw == Draw::filled && !keeps_stencil_of_shadows(s);
+}
+Reason needs_translucent(const Settings& s, const SceneTraits& t) {
+  if (!t.transparent) return "no material of the scene is transparent";
+  if (const auto reason = needs_filled_fragments(s)) return reason;
+  if (keeps_stencil_of_shadows(s))
+    return needs("shadows", Shadows::map).because("a stencil holds the shadows of one surface of each pixel");
+  return {};
+}
+
 /// A pass that first determines the visible surfaces needs a depth buffer with one sample per pixel.
 Reason needs_passes(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_depth_buffer(s, t)) return reason;
   if (s.draw != Draw::filled) return needs("draw", Draw::filled);
   if (s.multisampling > 1) return needs("multisampling", 1);
+  if (blends_when_drawn(s)) return needs("blending", Blending::off).because("a pass keeps one surface of each pixel");
   return {};
 }
 Reason needs_single_pass_lights(const Settings& s, const SceneTraits& t) {
@@ -228,6 +245,29 @@ std::vector<Option> visibility_rows() {
            .shown_by = {.experiments = none, .scenes = {{"lab/depth-complexity"}}}},
           {{"one", "in one pass", "Evaluates all lights when a fragment is shaded."},
            {"many", "one pass each", "Draws one depth pass, then one pass for each light."}}),
+      choice<&Settings::blending>(
+          {.key = "blending",
+           .label = "Blending",
+           .help = {"How the output merger treats translucent surfaces: fragment times opacity, plus pixel times "
+                    "transparency.",
+                    "CGPP 15.7.1.3",
+                    "In draw order, a surface hides what lies behind it and is drawn later. Sorted triangles are still "
+                    "wrong where they cross or overlap in a circle."},
+           .keywords = "alpha blending, over operator, translucent, opacity, output merger, "
+                       "order-dependent, back to front",
+           .truth = exactly("blending=sorted"),
+           .acts_for = ActsFor::fragments,
+           .inactive = needs_translucent,
+           .known_to = {.fast = {limit(fragment_batches, 95, "SIMD replaces colours: it needs blending = off",
+                                       [](const Settings& s, const SceneTraits& t) {
+                                         return s.blending != Blending::off && !needs_translucent(s, t);
+                                       })},
+                        .hardware = lacking("the hardware renderer's passes replace the colours of surfaces", 1, 2)},
+           .shown_by = {.experiments = none, .scenes = {{"lab/translucent-sheets"}}}},
+          {{"off", "off", "Translucent surfaces are drawn as opaque; an opacity map below 1/2 cuts them out."},
+           {"draw-order", "in draw order", "Blends fragments as triangles come, and each writes its depth."},
+           {"sorted", "sorted",
+            "Draws opaque triangles first, then translucent ones from back to front, which write no depth."}}),
       toggle<&Settings::backface_culling>(
           {.key = "backface-culling",
            .label = "Back-face culling",

@@ -41,7 +41,7 @@ class StorySink : public ClearSink<Real, PixelRecorder> {
 
   void step(const DrawStep& step, std::size_t number) {
     if (number > 0) return this->draw(near_, step);
-    const bool in_order = inputs.settings.visibility != Visibility::painter;
+    const bool in_order = !sorts_triangles(inputs.settings);
     if (!in_order) report_rejected(~std::uint32_t{0});
     for (std::size_t i = 0; i < near_.size();) {
       if (in_order) report_rejected(sequence(near_[i]));

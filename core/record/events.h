@@ -227,10 +227,11 @@ struct CoverageEvent {
   int tests = 0;               ///< samples, cells, rows or pieces looked at for this pixel
 };
 
-/// A fragment that passed wrote the pixel.
+/// A fragment that passed wrote the pixel. With multisampling `before` and `after` are of its first sample.
 struct WriteEvent {
   PixelId id;
   Vec3d before{0, 0, 0}, shaded{0, 0, 0}, after{0, 0, 0};
+  double opacity = 1;  ///< below 1: after = shaded * opacity + before * (1 - opacity)
 };
 
 /// A line or an outline wrote the pixel.

@@ -50,6 +50,7 @@ Settings settings_as_listed(const NamedListing& listing, const Scene& scene, con
   as.fill_rule = FillRule::inclusive;
   as.line_algorithm = LineAlgorithm::interpolate;
   as.clipping = Clipping::none;
+  as.blending = Blending::off;
   as.lighting = draws.light;
   as.shadows = draws.shadows ? Shadows::traced : Shadows::none;
   as.textures = draws.textures;

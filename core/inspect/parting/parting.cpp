@@ -111,7 +111,7 @@ std::optional<Parting> part_at_canvas(const StoryPair& c) {
   const auto times = [](std::size_t count) {
     return count == 0 ? std::string("not at all") : count == 1 ? "once" : fmt::format("{} times", count);
   };
-  std::string why = because(c, {"draw", "line-algorithm", "fill-rule", "canvas-fill", "backface-culling",
+  std::string why = because(c, {"blending", "draw", "line-algorithm", "fill-rule", "canvas-fill", "backface-culling",
                                 "subpixel-bits", "sample-position"});
   if (why.empty()) why = because(c, parting::differing_in_what_is_seen(c));
   return Parting{PartingCause::coverage,

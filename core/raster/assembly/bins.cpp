@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "raster/setup/draw_stage.h"
+
 namespace ps::raster {
 namespace {
 
@@ -48,7 +50,13 @@ std::vector<PrimitiveRef> drawing_order(const RasterInputs<Real>& inputs, const 
     }
     add_lines_before(~std::uint32_t{0});
   }
-  if (inputs.settings.visibility != Visibility::painter) return order;
+  if (!sorts_triangles(inputs.settings)) return order;
+  const bool all = inputs.settings.visibility == Visibility::painter;
+  const auto opaque = [&](const PrimitiveRef& ref) {
+    return with_primitive(inputs, geometry, ref,
+                          [&](const auto& p) { return !inputs.surfaces[p.surface].material.passes_light(); });
+  };
+  const auto sorted = all ? order.begin() : std::stable_partition(order.begin(), order.end(), opaque);
   struct Place {
     Real depth;
     std::uint32_t sequence;
@@ -56,7 +64,7 @@ std::vector<PrimitiveRef> drawing_order(const RasterInputs<Real>& inputs, const 
   const auto place = [&](const PrimitiveRef& ref) {
     return with_primitive(geometry, ref, [](const auto& p) { return Place{p.sort_depth, p.sequence}; });
   };
-  std::stable_sort(order.begin(), order.end(), [&](const PrimitiveRef& a, const PrimitiveRef& b) {
+  std::stable_sort(sorted, order.end(), [&](const PrimitiveRef& a, const PrimitiveRef& b) {
     const Place first = place(a);
     const Place second = place(b);
     if (first.depth != second.depth) return first.depth > second.depth;

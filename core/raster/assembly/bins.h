@@ -15,7 +15,8 @@ TileRect tested_box(const RasterInputs<Real>& inputs, const ScreenTriangle<Real>
 }
 
 /// All triangles (or lines) in the order in which they are drawn: as submitted, or for the painter from back to front.
-/// At equal depth the painter draws the lowest index last, so that it wins there as it does everywhere.
+/// At equal depth the painter draws the lowest index last, so that it wins there as it does everywhere. Sorted blending
+/// draws what is opaque as submitted, and then what is translucent as the painter does.
 template <class Real>
 std::vector<PrimitiveRef> drawing_order(const RasterInputs<Real>& inputs, const ScreenGeometry<Real>& geometry);
 

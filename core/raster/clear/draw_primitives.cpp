@@ -23,7 +23,8 @@ class TriangleDrawer {
                  Target<Real>& target, Recorder& recorder)
       : inputs_(inputs), geometry_(geometry), step_(step), target_(target), recorder_(recorder),
         depth_buffer_(inputs.settings.visibility == Visibility::depth_buffer),
-        depth_by_plane_(finds_depth_by_plane(inputs.settings)) {}
+        depth_by_plane_(finds_depth_by_plane(inputs.settings)),
+        sorts_translucent_(blends(inputs.settings) && inputs.settings.blending == Blending::sorted) {}
 
   void set_up(const PrimitiveRef& ref) {
     ref_ = ref;
@@ -124,12 +125,15 @@ class TriangleDrawer {
     return event;
   }
 
+  /// Everything behind a translucent surface was drawn before; its depth must not hide others that are translucent.
+  bool writes_depth() const { return !(sorts_translucent_ && setup_.surface->material.passes_light()); }
+
   /// What becomes of a fragment that passed.
   void pass_on(const Fragment<Real>& fragment, Real depth) {
     const int column = fragment.column, row = fragment.row;
     switch (step_.stage) {
     case DrawStage::whole:
-      if (depth_buffer_) target_.depth(column, row) = depth;
+      if (depth_buffer_ && writes_depth()) target_.depth(column, row) = depth;
       return shade_and_write(fragment);
     case DrawStage::depth_only:
       target_.depth(column, row) = depth;
@@ -151,12 +155,20 @@ class TriangleDrawer {
     const ShadedFragment<Real> shaded = shade_fragment(inputs_, geometry_, setup_, fragment, recorder_,
                                                        one_light ? std::optional<int>(step_.light) : std::nullopt);
     const Vec3<Real> before = target_.colour(column, row);
+    const Real opacity = opacity_of(inputs_, setup_, fragment, recorder_);
     // Passes after the first light's add to the picture.
-    const Vec3<Real> after = one_light && step_.light > 0 ? before + shaded.colour : shaded.colour;
-    recorder_.event([&] { return WriteEvent{event_id(setup_), Vec3d(before), Vec3d(shaded.colour), Vec3d(after)}; });
+    const Vec3<Real> after =
+        one_light && step_.light > 0 ? before + shaded.colour : blend_over(shaded.colour, before, opacity);
+    report_write(before, shaded.colour, after, opacity);
     recorder_.count(Counter::pixels_written);
     target_.set_colour(column, row, after);
     if (inputs_.channels != Channel::none) write_channels(fragment, shaded);
+  }
+
+  void report_write(const Vec3<Real>& before, const Vec3<Real>& shaded, const Vec3<Real>& after, Real opacity) {
+    recorder_.event([&] {
+      return WriteEvent{event_id(setup_), Vec3d(before), Vec3d(shaded), Vec3d(after), static_cast<double>(opacity)};
+    });
   }
 
   /// Multisampling: coverage and depth for each sub-sample, one shade for the pixel, at its centre.
@@ -191,7 +203,7 @@ class TriangleDrawer {
         Real& stored = target_.sample_depth(column, row, static_cast<int>(s));
         if (!first_depth) first_stored = stored, first_depth = depth;
         visible[s] = is_nearer(inputs_.depth, depth, stored);
-        if (visible[s]) stored = depth;
+        if (visible[s] && writes_depth()) stored = depth;
       }
       passed += visible[s];
     }
@@ -214,13 +226,16 @@ class TriangleDrawer {
   }
   void write_samples(const Fragment<Real>& fragment, const std::array<bool, 8>& visible) {
     const ShadedFragment<Real> shaded = shade_fragment(inputs_, geometry_, setup_, fragment, recorder_);
-    const Vec3<Real> before = target_.sample_colour(fragment.column, fragment.row, 0);
-    for (int s = 0; s < inputs_.grid.samples; ++s)
-      if (visible[static_cast<std::size_t>(s)]) target_.sample_colour(fragment.column, fragment.row, s) = shaded.colour;
+    const Real opacity = opacity_of(inputs_, setup_, fragment, recorder_);
+    Vec3<Real> before = target_.sample_colour(fragment.column, fragment.row, 0), after = shaded.colour;
+    for (int s = inputs_.grid.samples - 1; s >= 0; --s) {
+      if (!visible[static_cast<std::size_t>(s)]) continue;
+      Vec3<Real>& stored = target_.sample_colour(fragment.column, fragment.row, s);
+      if (opacity != Real(1)) before = stored;  // of the first sample that is blended, in the end
+      after = stored = blend_over(shaded.colour, stored, opacity);
+    }
     recorder_.event([&] { return written_samples(visible); });
-    recorder_.event([&] {
-      return WriteEvent{event_id(setup_), Vec3d(before), Vec3d(shaded.colour), Vec3d(shaded.colour)};
-    });
+    report_write(before, shaded.colour, after, opacity);
     recorder_.count(Counter::pixels_written);
     if (inputs_.channels != Channel::none && visible[0]) write_channels(fragment, shaded);
   }
@@ -305,7 +320,7 @@ class TriangleDrawer {
   DrawStep step_;
   Target<Real>& target_;
   Recorder& recorder_;
-  bool depth_buffer_, depth_by_plane_;
+  bool depth_buffer_, depth_by_plane_, sorts_translucent_;
   PrimitiveRef ref_;
   TriangleSetup<Real> setup_;
 };

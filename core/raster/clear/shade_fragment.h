@@ -11,6 +11,7 @@
 #include "raster/base/fragment.h"
 #include "raster/base/light_at.h"
 #include "raster/environment/mirror_environment.h"
+#include "raster/setup/draw_stage.h"
 #include "raster/shadow/shadowed_light.h"
 #include "shade/normal_mapping.h"
 #include "shade/parallax_mapping.h"
@@ -209,19 +210,41 @@ Surface<Real> surface_at(const RasterInputs<Real>& inputs, const TriangleSetup<R
   return own;
 }
 
-/// Whether the opacity map (MTL: map_d) leaves less than half of the surface at the fragment: fragments are there or
-/// not, since the rasterizer mixes no colours by transparency.
+/// The value of the opacity map (MTL: map_d) at the fragment; 1 without one.
 template <class Real, class Recorder>
-bool is_cut_out(const RasterInputs<Real>& inputs, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
-                Recorder& recorder) {
+Real mapped_opacity(const RasterInputs<Real>& inputs, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
+                    Recorder& recorder) {
   const Surface<Real>& surface = *setup.surface;
   if (surface.material.opacity_map < 0 || !inputs.settings.textures || surface.layout.uv == AttributeLayout::absent)
-    return false;
+    return 1;
   TexturePlace<Real> place;
   place.uv = place.of_surface = {interpolate(inputs, setup, fragment, surface.layout.uv),
                                  interpolate(inputs, setup, fragment, surface.layout.uv + 1)};
   const int map = surface.material.opacity_map;
-  return read_texture(inputs, setup, fragment, map, place, recorder, TextureUse::opacity).colour.x < Real(0.5);
+  return read_texture(inputs, setup, fragment, map, place, recorder, TextureUse::opacity).colour.x;
+}
+
+/// Whether the opacity map leaves less than half of the surface at the fragment. Without blending fragments are there
+/// or not.
+template <class Real, class Recorder>
+bool is_cut_out(const RasterInputs<Real>& inputs, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
+                Recorder& recorder) {
+  return !blends(inputs.settings) && mapped_opacity(inputs, setup, fragment, recorder) < Real(0.5);
+}
+
+/// The weight of the fragment's colour when it is blended with what the pixel holds (CGPP 15.7.1.3): what the material
+/// does not let through, times its opacity map. 1 for all fragments without blending.
+template <class Real, class Recorder>
+Real opacity_of(const RasterInputs<Real>& inputs, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
+                Recorder& recorder) {
+  if (!blends(inputs.settings)) return 1;
+  return (Real(1) - setup.surface->material.transparency) * mapped_opacity(inputs, setup, fragment, recorder);
+}
+
+/// The output merger: a fragment over what the pixel holds. Opaque ones replace it, bit for bit.
+template <class Real>
+Vec3<Real> blend_over(const Vec3<Real>& source, const Vec3<Real>& destination, Real opacity) {
+  return opacity == Real(1) ? source : source * opacity + destination * (Real(1) - opacity);
 }
 
 /// The fragment's colour mixed with what the material's picture of its surroundings (MTL: refl) shows in the mirrored

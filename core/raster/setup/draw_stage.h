@@ -21,8 +21,22 @@ struct DrawStep {
   bool is_first() const { return stage <= DrawStage::keep_winners; }
 };
 
+inline bool keeps_stencil(const Settings& settings) {
+  return (settings.shadows == Shadows::stencil_depth_fail || settings.shadows == Shadows::stencil_depth_pass) &&
+         settings.visibility == Visibility::depth_buffer;
+}
+/// Are translucent surfaces blended with what is behind them? Not where a stencil holds the shadows of one surface
+/// only.
+inline bool blends(const Settings& settings) {
+  return settings.blending != Blending::off && settings.draw == Draw::filled && !keeps_stencil(settings);
+}
+/// Are triangles, or those that are translucent, drawn from back to front?
+inline bool sorts_triangles(const Settings& settings) {
+  return settings.visibility == Visibility::painter || (blends(settings) && settings.blending == Blending::sorted);
+}
 inline bool has_passes(const Settings& settings) {
-  return settings.draw == Draw::filled && settings.visibility == Visibility::depth_buffer && settings.multisampling < 2;
+  return settings.draw == Draw::filled && settings.visibility == Visibility::depth_buffer &&
+         settings.multisampling < 2 && !blends(settings);
 }
 inline bool lights_one_by_one(const Settings& settings) {
   return has_passes(settings) && settings.light_passes == LightPasses::many && settings.lighting &&

@@ -16,15 +16,16 @@ std::vector<LeftOut> left_out_by_fragments(const SceneTraits& traits, const Sett
                                subject),
                    "No CSG: its surfaces need rays.",
                    {rays}});
-  if (traits.transparent)
+  const bool draws_blended = settings.renderer == Renderer::rasterizer && settings.blending != Blending::off;
+  if (traits.transparent && !draws_blended)
     all.push_back(
         {LeftOutKind::effect,
          "shows transparent surfaces as opaque",
          fmt::format("{} shows transparent surfaces as opaque, or cuts them out where an opacity map is below "
-                     "1/2. Set renderer = ray-tracer to see through them.",
+                     "1/2. Set renderer = ray-tracer, or blending = sorted with the rasterizer, to see through them.",
                      subject),
-         "No transparency: light through a surface needs rays.",
-         {rays}});
+         "No transparency: it needs rays, or blending.",
+         {rays, {"Blending", "renderer=rasterizer;blending=sorted"}}});
   if (traits.light_maps && settings.textures && settings.lighting && settings.shading != Shading::phong)
     all.push_back({LeftOutKind::effect,
                    "leaves out specular maps",

@@ -8,6 +8,7 @@
 #include "base/available_memory.h"
 #include "raster/assembly/bins.h"
 #include "raster/base/fragment.h"
+#include "raster/setup/draw_stage.h"
 #include "raster/shadow/shadow_volume.h"
 
 namespace ps::raster {
@@ -131,8 +132,7 @@ struct LightVolumes {
 }  // namespace
 
 bool uses_stencil(const Settings& settings, const Scene& scene) {
-  const bool asked = settings.shadows == Shadows::stencil_depth_fail || settings.shadows == Shadows::stencil_depth_pass;
-  return asked && settings.lighting && fills(settings.draw) && settings.visibility == Visibility::depth_buffer &&
+  return keeps_stencil(settings) && settings.lighting && fills(settings.draw) &&
          scene_traits(scene).casting_lights;
 }
 

@@ -83,7 +83,7 @@ struct List<WriteEvent> {
   using E = WriteEvent;
   static constexpr std::string_view kind = "write", partners = kind;
   static constexpr std::array rows{field<&E::id>("id"), field<&E::before>("before"), field<&E::shaded>("shaded"),
-                                   field<&E::after>("after")};
+                                   field<&E::opacity>("opacity"), field<&E::after>("after")};
 };
 
 template <>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "record/value_text.h"
 #include "render/story/display_lines.h"
@@ -162,38 +163,71 @@ const CoverageEvent* written_samples(const PixelStory& story, int index) {
   return nullptr;
 }
 
-/// The samples of a pixel that is drawn with multisampling, and which write each of them shows.
+/// Puts a write that is blended over `lines`: they go on as what is left of them.
+void add_blended(const PixelStory& story, const Scene& scene, int index, Lines& lines) {
+  const auto& write = event_as<WriteEvent>(story.events, index);
+  const double left = 1 - write.opacity;
+  LedgerLine below{0, fmt::format("{} x what was there", number_text(left)), Vec3d(0), index};
+  for (LedgerLine& line : lines) {
+    line.value *= left;
+    if (line.level++ == 0) below.value += line.value;
+  }
+  Lines blended{{0, fmt::format("{}: {} x colour", primitive_name(scene, write.id), number_text(write.opacity)),
+                 write.opacity * write.shaded, index}};
+  append(blended, shading_of_write(story, scene, index, write.opacity, 1));
+  blended.push_back(below);
+  append(blended, std::exchange(lines, {}));
+  lines = std::move(blended);
+}
+
+/// The samples of a pixel that is drawn with multisampling, and which writes each of them shows: the last one, and what
+/// it is blended with.
 class SampleOwners {
  public:
-  void write(const CoverageEvent& samples, int index) {
-    if (owners_.empty()) owners_.assign(static_cast<std::size_t>(samples.tests), background);
-    for (const double sample : samples.values) owners_.at(static_cast<std::size_t>(sample)) = index;
+  void write(const PixelStory& story, const CoverageEvent& samples, int index) {
+    if (owners_.empty()) owners_.resize(static_cast<std::size_t>(samples.tests));
+    const bool replaces = mixing_of(event_as<WriteEvent>(story.events, index)) != Mixing::blends;
+    for (const double sample : samples.values) {
+      std::vector<int>& writes = owners_.at(static_cast<std::size_t>(sample));
+      if (replaces) writes.clear();
+      writes.push_back(index);
+    }
   }
-  /// The pixel as the mean of its samples, with one line for all samples of a write.
+  /// The pixel as the mean of its samples, with one line for all samples that show the same.
   Lines lines(const PixelStory& story, const Scene& scene) const {
     Lines lines;
-    std::vector<int> order(owners_);
+    std::vector<std::vector<int>> order(owners_);
     std::sort(order.begin(), order.end());
     order.erase(std::unique(order.begin(), order.end()), order.end());
-    for (const int owner : order) {
-      const auto count = std::count(owners_.begin(), owners_.end(), owner);
+    for (const std::vector<int>& writes : order) {
+      const auto count = std::count(owners_.begin(), owners_.end(), writes);
       const double share = static_cast<double>(count) / static_cast<double>(owners_.size());
       const std::string of = fmt::format("on {} of {} samples", count, owners_.size());
-      if (owner == background) {
-        lines.push_back({0, "background " + of, share * scene.background, -1});
-        continue;
+      for (LedgerLine& line : lines_of(story, scene, writes)) {
+        line.value *= share;
+        if (line.level == 0) line.term += " " + of;
+        lines.push_back(std::move(line));
       }
-      const auto& write = event_as<WriteEvent>(story.events, owner);
-      lines.push_back(
-          {0, fmt::format("{}: colour {}", primitive_name(scene, write.id), of), share * write.shaded, owner});
-      append(lines, shading_of_write(story, scene, owner, share, 1));
     }
     return lines;
   }
 
  private:
-  static constexpr int background = -1;
-  std::vector<int> owners_;  // the write that each sample shows
+  static Lines lines_of(const PixelStory& story, const Scene& scene, const std::vector<int>& writes) {
+    Lines lines{{0, "background", scene.background, -1}};
+    for (const int index : writes) {
+      const auto& write = event_as<WriteEvent>(story.events, index);
+      if (mixing_of(write) == Mixing::blends) {
+        add_blended(story, scene, index, lines);
+        continue;
+      }
+      lines = {{0, fmt::format("{}: colour", primitive_name(scene, write.id)), write.shaded, index}};
+      append(lines, shading_of_write(story, scene, index, 1, 1));
+    }
+    return lines;
+  }
+
+  std::vector<std::vector<int>> owners_;  // the writes that each sample shows
 };
 
 void add_write(const PixelStory& story, const Scene& scene, int index, Lines& lines) {
@@ -215,6 +249,10 @@ void add_write(const PixelStory& story, const Scene& scene, int index, Lines& li
     lines.push_back({0,
                      fmt::format("{}: {} multiplied by {}", name, vector_text(write.shaded), vector_text(write.before)),
                      write.after, index});
+    return;
+  case Mixing::blends:
+    if (lines.empty()) lines.push_back({0, "background", write.before, index});
+    add_blended(story, scene, index, lines);
     return;
   }
 }
@@ -255,7 +293,7 @@ Lines fragment_lines(const PixelStory& story, const Scene& scene) {
     const EventData& data = story.events[static_cast<std::size_t>(i)].data;
     if (std::holds_alternative<WriteEvent>(data)) {
       if (const CoverageEvent* reached = written_samples(story, i)) {
-        samples.write(*reached, i);
+        samples.write(story, *reached, i);
         lines = samples.lines(story, scene);
       } else {
         add_write(story, scene, i, lines);

@@ -106,21 +106,22 @@ void add_rejections(const PixelStory& story, bool with_uncovered, std::vector<st
   }
 }
 
-/// How the shapes that wrote the pixel, one after the other, make up its colour. A surface of the scene always takes
-/// the place of what was there.
+/// How what wrote the pixel, one after the other, makes up its colour. An opaque surface of the scene always takes the
+/// place of what was there.
 void add_paint_remarks(const PixelStory& story, std::vector<std::string>& parts) {
   std::size_t covered = 0, seen = 0;
   Mixing last = Mixing::replaces;
   for (const Event& event : story.events) {
     const auto* write = std::get_if<WriteEvent>(&event.data);
     if (!write && !std::holds_alternative<LineEvent>(event.data)) continue;
-    last = write && write->id.object < 0 ? mixing_of(*write) : Mixing::replaces;
+    last = write && (write->id.object < 0 || write->opacity < 1) ? mixing_of(*write) : Mixing::replaces;
     if (last == Mixing::replaces) covered += std::exchange(seen, 0);
     ++seen;
   }
   const std::string below = seen > 1 ? plural(seen - 1, "earlier colour", "earlier colours") : "the background";
   if (last == Mixing::adds) parts.push_back("its colour is added to " + below);
   if (last == Mixing::filters) parts.push_back("it filters " + below);
+  if (last == Mixing::blends) parts.push_back("it is blended with " + below);
   if (covered > 0) parts.push_back(plural(covered, "earlier colour was", "earlier colours were") + " painted over");
 }
 

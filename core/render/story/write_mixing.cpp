@@ -15,6 +15,7 @@ bool equal_but_for_rounding(const Vec3d& a, const Vec3d& b) {
 }  // namespace
 
 Mixing mixing_of(const WriteEvent& write) {
+  if (write.opacity < 1) return Mixing::blends;
   // On a dark pixel a sum of two passes is nearly the second one, too.
   if (write.after != write.shaded && equal_but_for_rounding(write.after, write.before + write.shaded))
     return Mixing::adds;
