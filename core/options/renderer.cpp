@@ -110,7 +110,8 @@ Option listing_row() {
                     .scenes = {{"cgfs/depth", "backface-culling=off"},
                                {"lab/polygon-rows", "listing=lab-cornell"},
                                {"cgfs/reflections"},
-                               {"cgfs/crates"}}}},
+                               {"cgfs/crates"},
+                               {"cgfs/behind"}}}},
       OptionKind::choice);
   option.choices.push_back({"auto", "automatic", "Automatic: the most advanced listing that can draw this scene."});
   for (const NamedListing& listing : listings())
@@ -171,7 +172,10 @@ Option listing_bug_row() {
                                {"cgfs/depth", "backface-culling=off"},
                                {"cgfs/depth", "backface-culling=on"},
                                {"lab/polygon-rows", "listing=lab-cornell"},
-                               {"cgfs/cubes", "listing=oct-dont-test-everything"}}}},
+                               {"cgfs/cubes", "listing=oct-dont-test-everything"},
+                               {"cgfs/cubes", "listing=cgfs-05-solids"},
+                               {"cgfs_09_perspective/cube.scene", "listing=cgfs-09-perspective"},
+                               {"cgfs/cubes", "listing=cgpp-15-6-which-pixels"}}}},
       bug_choices());
 }
 

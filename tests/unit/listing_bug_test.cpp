@@ -99,9 +99,11 @@ const char* scene_for(std::string_view folder) {
       {"cgfs_02_basic_ray_tracing", "cgfs/spheres"},
       {"cgfs_03_light", "cgfs/lights"},
       {"cgfs_04_shadows_and_reflections", "cgfs/reflections"},
+      {"cgfs_05_solids", "cgfs/cubes"},
       {"cgfs_06_lines", "chapters/cgfs_06_lines/ends.scene"},
       {"cgfs_07_filled_triangles", "chapters/cgfs_07_filled_triangles/square.scene"},
       {"cgfs_08_shaded_triangles", "cgfs/shaded-triangle"},
+      {"cgfs_09_perspective", "chapters/cgfs_09_perspective/cube.scene"},
       {"cgfs_10_scenes", "cgfs/cubes"},
       {"cgfs_11_clipping", "chapters/cgfs_11_clipping/two.scene"},
       {"cgfs_12_hidden_surfaces", "cgfs/depth"},
@@ -110,6 +112,7 @@ const char* scene_for(std::string_view folder) {
       {"cgfs_15_shadows_in_the_rasterizer", "chapters/cgfs_15_shadows_in_the_rasterizer/yard.scene"},
       {"cgpp_15_4_measured_light", "cgpp/ground"},
       {"cgpp_15_6_exact_edges", "chapters/cgpp_15_6_exact_edges/fan.scene"},
+      {"cgpp_15_6_which_pixels", "cgfs/cubes"},
       {"lab_cornell", "lab/polygon-rows"},
       {"oct_dont_test_everything", "cgfs/cubes"}};
   for (const auto& [known, scene] : scenes)
