@@ -39,6 +39,10 @@ void print_json(const Document& document, const Needs& needs) {
                {"truth", needs.truth},
                {"uncertainty", needs.uncertainty},
                {"increase", needs.increase}});
+  json["meshes"] = {{"triangles", needs.meshes.triangles},
+                    {"vertices", needs.meshes.vertices},
+                    {"shared_bytes", needs.meshes.shared},
+                    {"unshared_bytes", needs.meshes.unshared}};
   json["features"] = nlohmann::ordered_json::array();
   for (const FeatureShare& share : needs.shares) {
     nlohmann::ordered_json feature{{"name", share.feature.name},           {"used", share.used},
@@ -78,6 +82,7 @@ void print_text(const Document& document, const Needs& needs) {
   fmt::print("time       {:.4g} ms, now {:.4g} ms{} ({})\n", needs.time_ms, needs.default_time_ms,
              needs.time_differs ? "" : ": the same within noise", needs.machinery);
   fmt::print("work       {} rays, tests, fragments and texels, now {}\n", needs.work, needs.default_work);
+  if (const std::string meshes = mesh_bytes_text(needs.meshes); !meshes.empty()) fmt::print("meshes     {}\n", meshes);
   print_made_by(document);
 }
 

@@ -20,6 +20,7 @@
 #include "document/permalink.h"
 #include "frame/display_frame.h"
 #include "image/file.h"
+#include "inspect/vertex_chain.h"
 #include "number_option.h"
 #include "options/option.h"
 #include "raster/clear/coverage/efficiency.h"
@@ -28,6 +29,7 @@
 #include "render/render.h"
 #include "render/slow_motion.h"
 #include "scene/load.h"
+#include "scene/mesh_bytes.h"
 
 namespace ps::cli {
 namespace {
@@ -38,6 +40,7 @@ struct RenderArguments {
   std::string show;         ///< key of a channel; empty = that of the permalink, or the colours
   std::string field, mark;  ///< a number of the story to show, and the condition that marks pixels; may be empty
   std::string stats;
+  bool mark_vertices = false;
   std::string ppm;          ///< "ascii" or "binary"; empty = binary
   std::vector<int> region;  ///< x, y, width, height; empty = all
   std::string slow_motion;  ///< "UNIT:N"; empty = that of the permalink, or the whole picture
@@ -77,6 +80,8 @@ std::string stats_json(const Document& document, const View& view, const Frame& 
     auto& value = json["counters"][std::string(counter_key(counter))];  // null: the renderer cannot give it
     if (const auto count = frame.counters.get(counter)) value = *count;
   }
+  const MeshBytes meshes = bytes_of_meshes(document.scene);
+  json["mesh_bytes"] = {{"shared", meshes.shared}, {"unshared", meshes.unshared}};
   if (const auto efficiency = raster::sample_test_efficiency(frame.counters))
     json["sample_test_efficiency"] = *efficiency;
   json["machinery"] = {{"path", machinery_key(frame.path.machinery)},
@@ -89,6 +94,14 @@ std::string stats_json(const Document& document, const View& view, const Frame& 
   for (const StageTime& time : frame.times)
     json["stages"].push_back({{"stage", time.stage}, {"time_ms", time.milliseconds}});
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+/// Sets the pixels to which the vertices of models are projected, in a colour of no scene (CGPP 15.6.2).
+void mark_vertices(const Document& document, const View& view, Image<Rgb8>& levels) {
+  constexpr Rgb8 mark{255, 0, 255};
+  constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+  for (const ProjectedVertex& vertex : projected_vertices(document.scene, view, document.a.settings, all))
+    levels.at(static_cast<int>(vertex.canvas.x), static_cast<int>(vertex.canvas.y)) = mark;
 }
 
 /// `levels`: of the whole picture's colours, or empty.
@@ -187,6 +200,10 @@ int run_render(const RenderArguments& arguments) {
   const Timer timer;
   const Frame frame = render_document(document, view, request, prepared);
   const double milliseconds = timer.milliseconds();
+  if (arguments.mark_vertices) {
+    if (levels.empty()) throw InputError("--mark-vertices: needs the whole picture in colour, as .png or .ppm");
+    mark_vertices(document, view, levels);
+  }
   save_picture(arguments, document, frame, levels);
   if (!arguments.film.empty()) save_film(arguments, document, view, request, prepared);
   if (!arguments.stats.empty()) write_file_atomically(arguments.stats, stats_json(document, view, frame, milliseconds));
@@ -231,6 +248,8 @@ void add_render_command(CLI::App& app, Action& chosen) {
   command->add_option("--film-pictures", arguments->film_pictures, "how many, 24 unless given")
       ->check(whole_number_from(1, 9999))
       ->needs("--film");
+  command->add_flag("--mark-vertices", arguments->mark_vertices,
+                    "set the pixels of projected vertices to magenta, to check a projection");
   command->add_option("--stats", arguments->stats, "a JSON file for times and counters");
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_render(*arguments); }; });
 }

@@ -166,6 +166,29 @@ std::optional<VertexId> nearest_vertex(const Scene& scene, const View& view, con
   return nearest.best();
 }
 
+std::vector<ProjectedVertex> projected_vertices(const Scene& scene, const View& view, const Settings& settings,
+                                                std::size_t most) {
+  const raster::CameraSpace space = raster::make_camera_space(view.camera);
+  const Viewport<double> viewport = make_viewport<double>(view, settings);
+  const auto projection = raster::make_canvas_projection<double>(viewport);
+  std::vector<ProjectedVertex> seen;
+  const auto& objects = scene.geometry->objects;
+  for (std::size_t object = 0; object < objects.size(); ++object) {
+    const auto* instance = std::get_if<Instance>(&objects[object].shape);
+    if (!instance) continue;
+    const Mesh& mesh = *scene.geometry->meshes[instance->mesh];
+    for (std::size_t vertex = 0; vertex < mesh.positions.size() && seen.size() < most; ++vertex) {
+      const Vec3d camera =
+          space.point(model_to_world(instance->transform, ModelOrder::turn_then_move, mesh.positions[vertex]));
+      if (!(camera.z >= settings.near * viewport.distance)) continue;
+      const Vec2d at = projection.from_top_left(camera);
+      if (at.x >= 0 && at.x < view.width && at.y >= 0 && at.y < view.height)
+        seen.push_back({{static_cast<int>(object), static_cast<int>(vertex)}, at, camera.z});
+    }
+  }
+  return seen;
+}
+
 PixelId shown_triangle(const PixelStory& story) {
   PixelId shown;
   for (const Event& event : story.events) {

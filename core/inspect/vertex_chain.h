@@ -64,6 +64,18 @@ VertexChain vertex_chain(const Scene& scene, const View& view, const Settings& s
 std::optional<VertexId> nearest_vertex(const Scene& scene, const View& view, const Settings& settings,
                                        const Vec2d& place, const PixelId& triangle = {});
 
+/// A vertex on the canvas.
+struct ProjectedVertex {
+  VertexId id;
+  Vec2d canvas{0, 0};  ///< pixels from the top left
+  double z = 0;        ///< camera space
+};
+
+/// The vertices of all models whose projections lie within the picture, object by object, whatever hides them (CGPP
+/// 15.6.2): a test of the projection. None behind the near limit; at most `most`, the first ones.
+std::vector<ProjectedVertex> projected_vertices(const Scene& scene, const View& view, const Settings& settings,
+                                                std::size_t most);
+
 /// The triangle whose colour the story's pixel has: that of the last fragment that passed, or of the eye ray's hit.
 PixelId shown_triangle(const PixelStory& story);
 

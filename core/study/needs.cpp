@@ -37,6 +37,7 @@ class Search {
     const NeedsTruth truth = needs_truth(request_.base, traits_, request_.view);
     take_reference(truth.plan);
     needs_.tolerance = request_.tolerance;
+    needs_.meshes = bytes_of_meshes(request_.scene);
     Tried start = try_out(request_.base);
     start_ = start.tiles;
     needs_.default_error = start.error;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/render.h"
+#include "scene/mesh_bytes.h"
 #include "study/control.h"
 #include "study/counted_work.h"
 #include "study/features.h"
@@ -57,6 +58,7 @@ struct Needs {
   double increase = 0;                  ///< of the advice, as in NeedsStep
   double time_ms = 0, default_time_ms = 0;
   bool time_differs = false;  ///< both times are not within_noise() of each other
+  MeshBytes meshes;           ///< of the scene
   std::string machinery;      ///< which code was timed, the same for all: TimedSettings::reason
   std::uint64_t work = 0, default_work = 0;
   std::vector<FeatureShare> shares;
