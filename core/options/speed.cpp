@@ -60,7 +60,7 @@ Option accelerator_row() {
                                    Accelerator::embree)
                                  .said("SIMD searches need accelerator = bvh, octree or none")},
                     .hardware = not_asked},
-       .shown_by = {.experiments = {{"grid-octree-borders"}, {"bvh-holes"}, {"nan-vertex"}},
+       .shown_by = {.experiments = {{"grid-octree-borders"}, {"bvh-holes"}, {"nan-vertex"}, {"tree-growth"}},
                     .scenes = {{"cgfs/shading", "triangle-test=moeller-trumbore"}}}},
       {{"bvh", "bounding-volume hierarchy", "A tree of boxes built with the surface-area heuristic."},
        {"none", "none", "Every ray is tested against every primitive."},
