@@ -15,7 +15,7 @@ struct MeshBytes {
 };
 
 MeshBytes bytes_of_mesh(const Mesh& mesh);
-/// Of all models of the scene, each counted once however many instances place it.
+/// All models of the scene together, each counted once however many instances place it.
 MeshBytes bytes_of_meshes(const Scene& scene);
 /// "8 vertices for 12 triangles: 240 bytes shared, 432 bytes unshared"; empty without triangles.
 std::string mesh_bytes_text(const MeshBytes& bytes);
