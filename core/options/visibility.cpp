@@ -14,7 +14,7 @@ bool keeps_stencil_of_shadows(const Settings& s) {
 }
 /// With the conditions of needs_translucent().
 bool blends_when_drawn(const Settings& s) {
-  return s.blending != Blending::off && s.draw == Draw::filled && !keeps_stencil_of_shadows(s);
+  return s.blending != Blending::off && fills(s.draw) && !keeps_stencil_of_shadows(s);
 }
 Reason needs_translucent(const Settings& s, const SceneTraits& t) {
   if (!t.transparent) return "no material of the scene is transparent";

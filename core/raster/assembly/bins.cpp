@@ -53,7 +53,7 @@ std::vector<PrimitiveRef> drawing_order(const RasterInputs<Real>& inputs, const 
   if (!sorts_triangles(inputs.settings)) return order;
   const bool all = inputs.settings.visibility == Visibility::painter;
   const auto opaque = [&](const PrimitiveRef& ref) {
-    return with_primitive(inputs, geometry, ref,
+    return with_primitive(geometry, ref,
                           [&](const auto& p) { return !inputs.surfaces[p.surface].material.passes_light(); });
   };
   const auto sorted = all ? order.begin() : std::stable_partition(order.begin(), order.end(), opaque);

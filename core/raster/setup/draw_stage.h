@@ -28,7 +28,7 @@ inline bool keeps_stencil(const Settings& settings) {
 /// Are translucent surfaces blended with what is behind them? Not where a stencil holds the shadows of one surface
 /// only.
 inline bool blends(const Settings& settings) {
-  return settings.blending != Blending::off && settings.draw == Draw::filled && !keeps_stencil(settings);
+  return settings.blending != Blending::off && fills(settings.draw) && !keeps_stencil(settings);
 }
 /// Are triangles, or those that are translucent, drawn from back to front?
 inline bool sorts_triangles(const Settings& settings) {

@@ -132,8 +132,7 @@ struct LightVolumes {
 }  // namespace
 
 bool uses_stencil(const Settings& settings, const Scene& scene) {
-  return keeps_stencil(settings) && settings.lighting && fills(settings.draw) &&
-         scene_traits(scene).casting_lights;
+  return keeps_stencil(settings) && settings.lighting && fills(settings.draw) && scene_traits(scene).casting_lights;
 }
 
 Stencil make_stencil(const Scene& scene, const View& view, const Settings& settings, const TileRect& rect,
