@@ -66,7 +66,7 @@ void add_lesson_file_commands(CLI::App& lessons, Action& chosen) {
   const auto arguments = std::make_shared<HandoutArguments>();
   handout->add_option("NAME", arguments->lesson, "a lesson, or the folder of one");
   handout->add_flag("--all", arguments->all, "all lessons, with a page that lists them");
-  handout->add_flag("--teacher", arguments->teacher, "with the measured answers at the end");
+  handout->add_flag("--teacher", arguments->teacher, "with notes, measured answers and what comes next");
   handout->add_option("--out", arguments->out, "file to write; with --all a folder")->required();
   handout->callback([&chosen, arguments] { chosen = [arguments] { return write_handout(*arguments); }; });
 

@@ -81,6 +81,14 @@ std::string head_html(const Lesson& lesson, HandoutFor reader) {
   return html;
 }
 
+/// For the teacher: what the class sees after this step, so that a question can lead to it.
+std::string next_html(const Lesson& lesson, std::size_t step) {
+  const std::string title = step + 1 < lesson.steps.size()
+                                ? fmt::format("{}. {}", step + 2, lesson.steps[step + 1].title)
+                                : "the end of the lesson";
+  return fmt::format("<p class=\"next\"><b>Next:</b> {}</p>\n", xml_escaped(title));
+}
+
 /// For the teacher: the program, and the computer that has measured.
 std::string facts() {
   std::string text;
@@ -93,29 +101,31 @@ std::string facts() {
 
 std::string handout_html(const Lesson& lesson, HandoutFor reader, Progress& progress) {
   const bool teacher = reader == HandoutFor::teacher;
-  std::string body = head_html(lesson, reader), answers;
+  std::string body = head_html(lesson, reader);
   MeasuredPictures pictures;  // a step's claims mostly measure the same ones
   int questions = 0;
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     const LessonStep& step = lesson.steps[i];
     const Document document = lesson_document(lesson, static_cast<int>(i), Document{});
-    body += fmt::format("<section id=\"step-{0}\"><h2><span class=\"place\">{2}/{0}</span>{0}. {1}</h2>\n{3}", i + 1,
-                        xml_escaped(step.title), xml_escaped(lesson.name), block_html(on_paper(step.blocks)));
+    body += fmt::format("<section id=\"step-{0}\"{4}><h2><span class=\"place\">{2}/{0}</span>{0}. {1}</h2>\n{3}", i + 1,
+                        xml_escaped(step.title), xml_escaped(lesson.name), block_html(on_paper(step.blocks)),
+                        teacher ? " class=\"page\"" : "");
     if (teacher && !step.notes.empty()) body += box("For the teacher", block_html(step.notes));
     body +=
         pictures_html(document, !teacher && step.question ? step.question->hidden : std::array{false, false}, progress);
     if (step.question) {
       body += question_html(*step.question, ++questions, document);
-      if (teacher) answers += answer_html(*step.question, questions, progress);
+      if (teacher) body += answer_html(*step.question, questions, progress);
     }
     if (const auto hints = hints_on_paper(step.hints); !hints.empty())
       body += fmt::format("<div class=\"look\">{}</div>\n", block_html(hints));
-    if (teacher) body += claims_html(step.claims, pictures, progress);
+    if (teacher) {
+      body += claims_html(step.claims, pictures, progress);
+      body += next_html(lesson, i);
+    }
     body += "</section>\n";
   }
   body += terms_html(lesson);
-  if (!answers.empty())
-    body += "<section><h2>Answers, and the wrong ones that are given most</h2>\n" + answers + "</section>\n";
   return handout_page(lesson.title, body, teacher ? facts() : "");
 }
 

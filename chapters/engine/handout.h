@@ -12,7 +12,8 @@ namespace ps {
 
 enum class HandoutFor {
   student,  ///< with room for answers, and without pictures and measurements that give them
-  teacher   ///< with the notes for teachers, a plan of the time, what was measured, and the answers, right and wrong
+  teacher   ///< with a plan of the time, and a page for each step: notes, what was measured, the answers, right and
+            ///< wrong, and what comes next
 };
 
 /// The lesson as one HTML file for A4 that needs nothing else: goals, texts without keys and clicks, the pictures of A

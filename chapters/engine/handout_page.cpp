@@ -33,7 +33,7 @@ constexpr std::string_view style_sheet =
     "@media print{body{margin:0;padding:0;max-width:none;font-size:10pt;line-height:1.38}"
     "img{max-height:56mm}.drawing svg{width:auto;max-height:44mm}.covered{padding:12% 1em}p{margin:.5em "
     "0;orphans:3;widows:3}"
-    "h1,h2,h3{break-after:avoid}.pictures,.question,.box,tr{break-inside:avoid}"
+    ".page{break-before:page}h1,h2,h3{break-after:avoid}.pictures,.question,.box,tr{break-inside:avoid}"
     ".question.long{break-inside:auto}}";
 
 }  // namespace

@@ -73,7 +73,8 @@ std::string question_html(const LessonQuestion& question, int number, const Docu
 }
 
 std::string answer_html(const LessonQuestion& question, int number, Progress& progress) {
-  return fmt::format("<p><b>{}.</b> {}</p>\n", number, answer_words(question, progress));
+  return fmt::format("<div class=\"box\"><p><b>Answer {}.</b> {}</p>\n</div>\n", number,
+                     answer_words(question, progress));
 }
 
 }  // namespace ps
