@@ -48,6 +48,13 @@ std::string check_places(const Image<unsigned char>& places, std::string& found)
   return share > most_of_places ? "more than half of the pixels are right" : "";
 }
 
+/// "It is 3 rays"
+std::string pixel_answer(Question about, const PixelStory& story, const Scene& scene) {
+  // An answer that cannot be right, so that the sentence names the right one.
+  const std::string sentence = judge(about, Guess{{-1, -1, -1}, -2, -1, -2, -1}, story, scene).sentence;
+  return sentence.substr(0, sentence.find("; you said"));
+}
+
 std::string check_pixel(const LessonQuestion& question, Progress& progress, std::string& found) {
   const Document document = state_document(question.state, Document{});
   if (document.pixel.x < 0) return "no pixel is picked";
@@ -55,10 +62,7 @@ std::string check_pixel(const LessonQuestion& question, Progress& progress, std:
   const PixelStory story = inspect(document.scene, view_of(document), side_of(document, document.picked).settings,
                                    document.pixel, prepared, progress);
   if (const auto objection = not_askable(question.about, story)) return std::string(*objection);
-  // An answer that cannot be right, so that the sentence names the right one.
-  const std::string sentence =
-      judge(question.about, Guess{{-1, -1, -1}, -2, -1, -2, -1}, story, document.scene).sentence;
-  found = sentence.substr(0, sentence.find("; you said"));
+  found = pixel_answer(question.about, story, document.scene);
   return {};
 }
 
@@ -104,6 +108,35 @@ Judgement judge(const LessonQuestion& question, const StudentAnswer& answer, con
     break;
   }
   return {};
+}
+
+std::string right_sentence(const LessonQuestion& question, const MeasuredAnswer& right) {
+  switch (question.kind) {
+  case AskKind::choice: {
+    const int wanted = right_choice(question, right.value);
+    if (wanted < 0) return {};
+    const AnswerChoice& choice = question.choices.at(static_cast<std::size_t>(wanted));
+    return fmt::format("Right is: {}{}{}", choice.text, ending(choice.feedback), ending(question.why));
+  }
+  case AskKind::number:
+    return fmt::format("It is {}.{}", with_unit(right.value, question.unit), ending(question.why));
+  case AskKind::click:
+    for (int y = 0; y < right.places.height(); ++y)
+      for (int x = 0; x < right.places.width(); ++x)
+        if (right.places.at(x, y) != 0)
+          return fmt::format("Pixel ({}, {}) is such a place.{}", x, y, ending(question.why));
+    break;
+  case AskKind::bug:
+    return fmt::format("The bug is in line {}.{}", right.line.number, ending(question.why));
+  case AskKind::pixel:
+    break;
+  }
+  return {};
+}
+
+std::string right_sentence(const LessonQuestion& question, const PixelStory& story, const Scene& scene) {
+  if (not_askable(question.about, story)) return {};
+  return fmt::format("{}.{}", pixel_answer(question.about, story, scene), ending(question.why));
 }
 
 std::string check_question(const LessonQuestion& question, Progress& progress, std::string& found,

@@ -35,9 +35,7 @@ ScreenMode parse_step_mode(const std::string& text) {
   return mode;
 }
 
-/// The pixel's story is the stage that a step has if it names none.
 std::string parse_stage(const std::string& text) {
-  if (text == story_names::one) return {};
   std::vector<std::string_view> known(tool_names::all.begin(), tool_names::all.end());
   known.insert(known.end(), {story_names::one, pictures_stage});
   if (std::find(known.begin(), known.end(), text) == known.end())

@@ -6,34 +6,11 @@
 namespace ps {
 namespace {
 
-using Sentence = std::vector<TextSpan>;
-
 /// The place after the first sentence that ends in this text; its size if none does.
 std::size_t end_of_sentence(const std::string& text) {
   for (std::size_t i = 0; i + 1 < text.size(); ++i)
     if ((text[i] == '.' || text[i] == '?' || text[i] == '!') && text[i + 1] == ' ') return i + 2;
   return text.size();
-}
-
-std::vector<Sentence> sentences_of(const TextBlock& block) {
-  std::vector<Sentence> sentences(1);
-  for (const TextSpan& span : block.spans) {
-    if (span.formula || span.style == TextStyle::code) {
-      sentences.back().push_back(span);
-      continue;
-    }
-    for (std::string rest = span.text; !rest.empty();) {
-      const std::size_t end = end_of_sentence(rest);
-      TextSpan part = span;
-      part.text = rest.substr(0, end);
-      sentences.back().push_back(part);
-      const bool ended = end < rest.size() || (end >= 2 && rest[end - 1] == ' ' && std::ispunct(rest[end - 2]) != 0 &&
-                                               rest[end - 2] != ',' && rest[end - 2] != ':');
-      rest.erase(0, end);
-      if (ended) sentences.emplace_back();
-    }
-  }
-  return sentences;
 }
 
 std::string words_of(const Sentence& sentence) {
@@ -75,6 +52,27 @@ Sentence without_controls(const Sentence& sentence) {
 }
 
 }  // namespace
+
+std::vector<Sentence> sentences_of(const TextBlock& block) {
+  std::vector<Sentence> sentences(1);
+  for (const TextSpan& span : block.spans) {
+    if (span.formula || span.style == TextStyle::code) {
+      sentences.back().push_back(span);
+      continue;
+    }
+    for (std::string rest = span.text; !rest.empty();) {
+      const std::size_t end = end_of_sentence(rest);
+      TextSpan part = span;
+      part.text = rest.substr(0, end);
+      sentences.back().push_back(part);
+      const bool ended = end < rest.size() || (end >= 2 && rest[end - 1] == ' ' && std::ispunct(rest[end - 2]) != 0 &&
+                                               rest[end - 2] != ',' && rest[end - 2] != ':');
+      rest.erase(0, end);
+      if (ended) sentences.emplace_back();
+    }
+  }
+  return sentences;
+}
 
 std::vector<TextBlock> on_paper(const std::vector<TextBlock>& blocks) {
   std::vector<TextBlock> paper;

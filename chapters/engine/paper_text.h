@@ -8,6 +8,12 @@
 
 namespace ps {
 
+/// With the blank behind it, unless it is the last one.
+using Sentence = std::vector<TextSpan>;
+
+/// The sentences of a block, in its styles; a full stop or its like with a blank behind it ends one.
+std::vector<Sentence> sentences_of(const TextBlock& block);
+
 /// A text without its sentences about keys, clicks and drags. A live control is named where the sentence needs its
 /// name.
 std::vector<TextBlock> on_paper(const std::vector<TextBlock>& blocks);

@@ -69,6 +69,10 @@ struct StudentAnswer {
 /// One point or none, and a sentence that says what is right.
 Judgement judge(const LessonQuestion& question, const StudentAnswer& answer, const MeasuredAnswer& right);
 
+/// The right answer and its reason, for somebody who gave none; for AskKind::pixel from the pixel's story.
+std::string right_sentence(const LessonQuestion& question, const MeasuredAnswer& right);
+std::string right_sentence(const LessonQuestion& question, const PixelStory& story, const Scene& scene);
+
 /// Why a question is not a good one: no choice is right or several are, a wrong one has no sentence, every place is
 /// right or none, the pixel's story does not answer it. Empty if it is one. `found` is set to the measured answer in
 /// words.

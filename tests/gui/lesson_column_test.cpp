@@ -68,9 +68,9 @@ TEST(LessonColumn, ReadingOnComesToTheToolBehindTheLastPage) {
   std::string pages;
   expect_plays(
       "reading",
-      "click question/skip\nwait frames 6\nexpect lesson/pages 3\nexpect lesson/page 2\nkey PageDown\nwait frames "
-      "4\nexpect lesson/page 3\nexpect lesson/column text\nkey PageDown\nwait frames 4\nexpect lesson/column "
-      "tool\nkey PageUp\nwait frames 4\nexpect lesson/column text\nexpect lesson/page 3\nkey PageDown\nwait "
+      "click question/skip\nwait frames 6\nexpect lesson/pages 4\nexpect lesson/page 3\nkey PageDown\nwait frames "
+      "4\nexpect lesson/page 4\nexpect lesson/column text\nkey PageDown\nwait frames 4\nexpect lesson/column "
+      "tool\nkey PageUp\nwait frames 4\nexpect lesson/column text\nexpect lesson/page 4\nkey PageDown\nwait "
       "frames 4\nexpect lesson/column tool\nexpect step 2\nkey PageDown\nwait frames 4\nexpect "
       "step 3\nexpect lesson/column text\n",
       large + "study_speed_and_accuracy/2");
@@ -102,7 +102,7 @@ TEST(LessonColumn, TheListingsMenuHasWhatIsAboveTheCodeElsewhere) {
 }
 
 TEST(LessonColumn, IsNotThereWhereAllHasRoom) {
-  expect_plays("room", "expect lesson/column both\nexpect window/pictures-share > 30\n",
+  expect_plays("room", "expect lesson/column both\nexpect window/pictures-share > 14\n",
                "--lesson cgfs_02_basic_ray_tracing/7", "1366x768");
 }
 

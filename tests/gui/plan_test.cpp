@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace ps::gui::plan_test {
 namespace {
@@ -51,10 +53,26 @@ bool apart(const Area& a, const Area& b) {
   return a.max.x <= b.min.x || b.max.x <= a.min.x || a.max.y <= b.min.y || b.max.y <= a.min.y;
 }
 
+const std::vector<Case> windows{{1024, 768, 1},    {1366, 768, 1},    {1920, 1080, 1},    {3840, 2160, 2},
+                                {1024, 768, 1.5f}, {1366, 768, 1.5f}, {1920, 1080, 1.5f}, {3840, 2160, 3}};
+
+/// Percent of the window that square pictures must have.
+double least_share(StagePlace stage, bool one_picture, bool cramped) {
+  switch (stage) {
+  case StagePlace::none:
+  case StagePlace::line:
+    return cramped ? 30 : 35;
+  case StagePlace::below:
+    return one_picture ? 14 : 17.5;
+  case StagePlace::beside:
+    break;
+  }
+  return 14;
+}
+
 TEST(LessonPlan, SquarePicturesHaveTheirShareBelowAndBesideTools) {
-  for (const Case& window : {Case{1024, 768, 1}, Case{1366, 768, 1}, Case{1920, 1080, 1}, Case{3840, 2160, 2},
-                             Case{1024, 768, 1.5f}, Case{1366, 768, 1.5f}, Case{1920, 1080, 1.5f}, Case{3840, 2160, 3}})
-    for (const StagePlace stage : {StagePlace::none, StagePlace::below, StagePlace::beside}) {
+  for (const Case& window : windows)
+    for (const StagePlace stage : {StagePlace::none, StagePlace::line, StagePlace::below, StagePlace::beside}) {
       SCOPED_TRACE(std::to_string(window.width) + "x" + std::to_string(window.height) + " type " +
                    std::to_string(window.scale) + " stage " + std::to_string(static_cast<int>(stage)));
       PlanInput in = input_of(window, {600, 600});
@@ -64,7 +82,7 @@ TEST(LessonPlan, SquarePicturesHaveTheirShareBelowAndBesideTools) {
         EXPECT_TRUE(inside(plan.text, in.area));
         EXPECT_TRUE(inside(plan.pictures, in.area));
         EXPECT_TRUE(apart(plan.text, plan.pictures));
-        if (stage == StagePlace::beside) {
+        if (stage != StagePlace::none) {
           EXPECT_TRUE(inside(plan.stage, in.area));
           const bool one_place = plan.text.max.x == plan.stage.max.x && plan.text.height() == plan.stage.height();
           EXPECT_TRUE(plan.shared ? one_place : apart(plan.text, plan.stage));
@@ -73,9 +91,24 @@ TEST(LessonPlan, SquarePicturesHaveTheirShareBelowAndBesideTools) {
         // The captions of large type on a small screen take more.
         const bool cramped = window.scale > 1 && window.width < 1400;
         EXPECT_EQ(plan.shared, (cramped || window.width < 1200) && stage == StagePlace::beside);
-        EXPECT_GE(best_share(in, plan.pictures), stage == StagePlace::beside || cramped ? 30 : 35);
+        EXPECT_GE(best_share(in, plan.pictures), least_share(stage, one_picture, cramped));
       }
     }
+}
+
+// Whatever a step shows, and whatever the shape of its pictures.
+TEST(LessonPlan, TheTextHasTwoWidthsInAWindow) {
+  for (const Case& window : windows) {
+    std::set<float> widths;
+    for (const Vec2i picture : {Vec2i{600, 600}, Vec2i{800, 450}, Vec2i{300, 600}})
+      for (const bool one_picture : {false, true})
+        for (const StagePlace stage : {StagePlace::none, StagePlace::line, StagePlace::below, StagePlace::beside}) {
+          PlanInput in = input_of(window, picture);
+          in.one_picture = one_picture;
+          widths.insert(plan_lesson(in, stage).text.width());
+        }
+    EXPECT_LE(widths.size(), 2u) << window.width << " type " << window.scale;
+  }
 }
 
 /// 24 lines of code in small type are 24 times 18 high, at scale 1.
@@ -88,20 +121,28 @@ TEST(LessonPlan, TheShareIsKeptForPicturesOfAnyShapeInLargeType) {
       const LessonPlan plan = plan_lesson(in, StagePlace::beside);
       EXPECT_TRUE(inside(plan.pictures, in.area) && inside(plan.stage, in.area));
       EXPECT_TRUE(apart(plan.pictures, plan.stage));
-      EXPECT_GE(best_share(in, plan.pictures), 30);
+      EXPECT_GE(best_share(in, plan.pictures), 14);
       if (!plan.shared) continue;
       EXPECT_GE(plan.stage.height(), 24 * 18 * window.scale);
       EXPECT_GE(plan.stage.width(), 0.33f * window.width);
     }
 }
 
-TEST(LessonPlan, ATallToolKeepsItsRoom) {
-  const LessonPlan wide = plan_lesson(input_of({1366, 768, 1}, {600, 600}), StagePlace::beside);
-  EXPECT_GE(wide.stage.width(), 430);
-  EXPECT_GE(wide.stage.height(), 700);
-  EXPECT_GE(wide.text.width(), 290);
+TEST(LessonPlan, AToolKeepsItsRoom) {
+  constexpr float padding = 16, toolbar = 62;
+  PlanInput in = input_of({1366, 768, 1}, {600, 600});
+  const LessonPlan wide = plan_lesson(in, StagePlace::beside), below = plan_lesson(in, StagePlace::below);
+  EXPECT_GE(wide.stage.width(), 590 + padding);
+  EXPECT_GE(wide.stage.height(), 600 + padding + toolbar);
+  EXPECT_EQ(wide.text.width(), 340);
+  EXPECT_EQ(below.place, StagePlace::below);
+  EXPECT_GE(below.stage.width(), 800 + padding);
+  EXPECT_GE(below.stage.height(), 260 + padding + toolbar);
+  // A single picture above the tool would be too small.
+  in.one_picture = true;
+  EXPECT_EQ(plan_lesson(in, StagePlace::below).place, StagePlace::beside);
   const LessonPlan narrow = plan_lesson(input_of({1024, 768, 1}, {600, 600}), StagePlace::beside);
-  EXPECT_GE(narrow.stage.width(), 400);
+  EXPECT_GE(narrow.stage.width(), 590);
   EXPECT_GE(narrow.stage.height(), 24 * 18);
   EXPECT_TRUE(narrow.shared) << "beside one another, text and tool would be too narrow";
 }

@@ -47,6 +47,7 @@ TEST(ScriptParse, ErrorsNameThePlace) {
   expect_error("resize 100", 1, 8, "two numbers");
   expect_error("expect a !! b", 1, 8, "'!!'");
   expect_error("set gamma", 1, 5, "'gamma'");
+  expect_error("clock soon", 1, 7, "a number");
   expect_error("wheel nan", 1, 7, "a number");
   expect_error("quit\nwheel 1e300", 2, 7, "a number from -1000 to 1000");
   expect_error("wait 1e300", 1, 6, "a number from 0 to 3600000");

@@ -256,7 +256,8 @@ TEST_P(LessonPictures, HaveTheirShareAndNothingIsCut) {
                                   std::vector<FitPlace>& places) {
     const std::string* compare = ps::part_of(step.state, "compare");
     // A square picture alone is as high as there is room, which leaves more beside it on a wide screen.
-    const double least = compare && compare->starts_with("only") ? 25 : 30;
+    const bool tool = !step.state.stage.empty() && step.state.stage != ps::pictures_stage;
+    const double least = tool ? 13.5 : compare && compare->starts_with("only") ? 25 : 30;
     // The answer to a question and an experiment take seconds to measure, and minutes under a sanitizer.
     const bool measures = ps::test::trial_divisor > 1 && (step.question || ps::part_of(step.state, "experiment"));
     commands += measures ? settled + "wait until a/state done\nwait until b/state done\n" + settled : "wait idle\n";

@@ -136,6 +136,7 @@ TEST(Lesson, AStepChoosesItsModeAndItsStage) {
   EXPECT_EQ(listing.layout.stage, "listing");
   EXPECT_EQ(listing.layout.bottom_tab, "listing");
   EXPECT_GT(listing.layout.bottom, 0);
+  EXPECT_EQ(document_of("stage story", ScreenMode::lesson).layout.stage, "story");
   const Document alone = document_of("stage pictures", ScreenMode::lesson);
   EXPECT_EQ(alone.layout.stage, pictures_stage);
   EXPECT_EQ(alone.layout.bottom_tab, Layout{}.bottom_tab);

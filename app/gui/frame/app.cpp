@@ -93,6 +93,7 @@ struct App::Parts {
 
   void add_actions();
   void offer_values();
+  void follow_presenter();
   void update();
   void draw();
   void draw_status(ImVec2 window, float height);
@@ -117,6 +118,7 @@ struct App::Parts {
   std::uint64_t first_revision = 0;  ///< of the document, as it was opened
   bool offers_first_look = false;
   bool flying_now = false;
+  bool presented = false, filled_screen = false;  ///< by the presenter
   double last_draw = 0;
 };
 
@@ -258,7 +260,16 @@ void App::Parts::close_on_escape() {
   });
 }
 
+/// The presenter has the whole screen, unless a size was asked for; what leaves it leaves that.
+void App::Parts::follow_presenter() {
+  const bool presents = session.document().mode == ScreenMode::presenter;
+  if (std::exchange(presented, presents) == presents || shell.has_asked_size()) return;
+  if (presents) filled_screen = !shell.fullscreen();
+  if (filled_screen) shell.set_fullscreen(presents);
+}
+
 void App::Parts::update() {
+  follow_presenter();
   const double now = ImGui::GetTime();
   const double passed = std::min(now - last_draw, 0.1);
   last_draw = now;

@@ -19,7 +19,7 @@ void show_story(Session& session, std::string_view tab) {
   const bool lesson = session.document().mode == ScreenMode::lesson;
   session.navigate([&](Document& document) {
     if (lesson)
-      document.layout.stage.clear();
+      document.layout.stage = story_names::one;
     else
       document.mode = ScreenMode::explore;
     document.layout.story_open = true;

@@ -2,17 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace ps::gui {
 namespace {
 
-constexpr float grip = 6;              // between regions, at scale 1
-constexpr float least_text = 400;      // at scale 1; below it one picture takes the place of two
-constexpr float narrowest_text = 290;  // at scale 1
-constexpr float least_stage = 4.2f;    // headlines; a lower stage would show no line of its tool
-constexpr double spare = 0.001;        // of the window: what rounding may take of the pictures' share
-constexpr float beside_text = 0.315f, beside_stage = 0.32f;  // of the width, where a tool is beside one picture
-constexpr float least_shared = 0.34f;                        // of the width, for text and tool in one place
+constexpr float grip = 6;               // between regions, at scale 1
+constexpr float least_text = 400;       // at scale 1; below it one picture takes the place of two
+constexpr float narrowest_text = 290;   // at scale 1
+constexpr double spare = 0.001;         // of the window: what rounding may take of the pictures' share
+constexpr float beside_text = 340;      // at scale 1, beside a tall tool
+constexpr float least_beside = 420;     // at scale 1, for that tool
+constexpr float beside_growth = 0.38f;  // share of the width: a wide window has more for it
+constexpr float most_pictures = 0.6f;   // share of the height, above a tool
+constexpr float stage_lines = 2.25f;    // headlines, above a tool for its controls
+constexpr float margin = static_cast<float>(region_padding);
 
 // The pixel's story, at scale 1: in a window so narrow it is 240 wide, in one of 1366 it is 390.
 constexpr float narrow_story = 240, narrow_window = 1024, widest_story = 440;
@@ -43,80 +47,74 @@ float filled_height(const PlanInput& in, int count, float width) {
          picture_gap * in.scale;
 }
 
-/// The part of the window, 0..1, that the pictures take in this place: two side by side or stacked, or one.
-double share_in(const PlanInput& in, const Area& place) {
-  const double aspect = static_cast<double>(in.picture.x) / std::max(in.picture.y, 1);
-  const auto pixels = [&](int across, int down) {
-    const double width = static_cast<double>(place.width() - between_pictures(in, across)) / across;
-    const double all_height = place.height() - in.scale * picture_gap * static_cast<float>(down);
-    const double height = all_height / down - in.captions;
-    const double fitted = std::max(0.0, std::min(height, width / aspect));
-    return across * down * fitted * fitted * aspect;
-  };
-  const double two = in.one_picture ? 0 : std::max(pixels(2, 1), pixels(1, 2));
-  return std::max(pixels(1, 1), two) / (static_cast<double>(in.window.x) * in.window.y);
+/// The text's width where no tall tool is beside it, the same for all steps: beside two square pictures, or in a narrow
+/// window beside one.
+float wide_column(PlanInput in) {
+  in.picture = {1, 1};
+  const Size two = room_for(in, 2, lesson_share + spare), one = room_for(in, 1, lesson_share + 40 * spare);
+  const float width = in.area.width(), height = in.area.height(), beside_two = width - two.width;
+  // Beside a narrow text only where the height leaves one picture too small.
+  const float wanted = std::min((one.height <= height ? least_text : narrowest_text) * in.scale, in.text_width);
+  const bool side_by_side = beside_two >= wanted && two.height <= height;
+  const float text = std::min(in.text_width, side_by_side ? beside_two : width - one.width);
+  return std::floor(std::max(text, std::min(narrowest_text * in.scale, width * 0.4f)));
 }
 
-/// The pictures with their share at full height; text and tool have what is left, for one of them at a time.
+/// The tool has what it needs of the width, text and tool one after the other; the pictures have the rest.
 LessonPlan plan_shared(const PlanInput& in) {
   const Area& area = in.area;
-  const Size one = room_for(in, 1, beside_share + 5 * spare), two = room_for(in, 2, beside_share + 5 * spare);
-  const bool high = one.height > area.height() && !in.one_picture;
-  const float least = std::min(narrowest_text * in.scale, area.width() * least_shared);
-  const float rest = area.width() - (high ? two.width : one.width);
-  const float end = std::floor(area.min.x + std::clamp(rest, least, std::max(in.text_width, least)));
+  const float most = area.width() - room_for(in, 1, beside_share + 4 * spare).width;
+  const float end =
+      area.min.x + std::floor(std::max(std::min((stage_width + 2 * margin) * in.scale, most), area.width() * 0.34f));
   const Area column{area.min, {end, area.max.y}};
-  return {.text = column, .pictures = {{end, area.min.y}, area.max}, .stage = column, .shared = true};
+  return {.text = column,
+          .pictures = {{end, area.min.y}, area.max},
+          .stage = column,
+          .place = StagePlace::beside,
+          .shared = true};
 }
 
-/// Text, one picture and a tool, each as high as the area.
-LessonPlan plan_beside(const PlanInput& in) {
+/// Text, pictures and a tool, each as high as the area; empty where the tool would be too narrow.
+std::optional<LessonPlan> plan_beside(PlanInput in) {
+  in.picture = {1, 1};  // wide ones come below one another, or are smaller
   const Area& area = in.area;
-  const float between = grip * in.scale;
-  const float stage_begin = std::round(area.max.x - area.width() * beside_stage);
-  const float most_text = std::min(in.text_width, area.width() * beside_text);
-  const float rest = stage_begin - between - area.min.x - room_for(in, 1, beside_share + 5 * spare).width;
-  const float text = std::clamp(rest, std::min(narrowest_text * in.scale, most_text), most_text);
-  const float text_end = std::floor(area.min.x + text);
-  return {.text = {area.min, {text_end, area.max.y}},
-          .pictures = {{text_end, area.min.y}, {stage_begin - between, area.max.y}},
-          .stage = {{stage_begin, area.min.y}, area.max}};
+  const float between = grip * in.scale, text = beside_text * in.scale;
+  const float most = area.width() - text - between - room_for(in, 1, beside_share + 4 * spare).width;
+  const float wanted = std::max((stage_width + 2 * margin) * in.scale, area.width() * beside_growth);
+  const float stage = std::floor(std::min(wanted, most));
+  if (stage < least_beside * in.scale) return {};
+  const float text_end = std::floor(area.min.x + text), stage_begin = area.max.x - stage;
+  return LessonPlan{.text = {area.min, {text_end, area.max.y}},
+                    .pictures = {{text_end, area.min.y}, {stage_begin - between, area.max.y}},
+                    .stage = {{stage_begin, area.min.y}, area.max},
+                    .place = StagePlace::beside};
 }
 
 }  // namespace
 
 LessonPlan plan_lesson(const PlanInput& in, StagePlace stage) {
-  if (stage == StagePlace::beside) {
-    const LessonPlan beside = plan_beside(in);
-    return share_in(in, beside.pictures) >= beside_share ? beside : plan_shared(in);
-  }
+  const int count = in.one_picture ? 1 : 2;
   const Area& area = in.area;
   const float between = grip * in.scale;
-  const float height = area.height();
-  const Size two = room_for(in, 2, lesson_share + spare), one = room_for(in, 1, lesson_share + 40 * spare);
-  // Two pictures beside a readable text; beside a narrow one only where the height leaves one picture too small.
-  const float below = stage == StagePlace::below ? in.headline + between : 0;
-  const float beside_two = area.width() - two.width;
-  const bool one_fits = one.height + below <= height;
-  const float wanted_text = std::min((one_fits ? least_text : narrowest_text) * in.scale, in.text_width);
-  const bool side_by_side = !in.one_picture && beside_two >= wanted_text && two.height + below <= height;
-  float text = std::min(in.text_width, area.width() - (side_by_side ? two.width : one.width));
-  text = std::floor(std::max(text, std::min(narrowest_text * in.scale, area.width() * 0.4f)));
+  const float tool = stage_height * in.scale + stage_lines * in.headline + 2 * margin * in.scale;
+  const bool low = area.height() - between - tool < room_for(in, 1, beside_share).height;
+  if (stage == StagePlace::beside || (stage == StagePlace::below && in.one_picture && low))
+    if (const auto beside = plan_beside(in)) return *beside;
+  if (stage == StagePlace::beside) return plan_shared(in);
 
-  LessonPlan plan;
-  plan.text = {area.min, {area.min.x + text, area.max.y}};
-  const Area rest{{area.min.x + text, area.min.y}, area.max};
-  plan.pictures = rest;
-  plan.stage = {{rest.min.x, rest.max.y}, rest.max};
+  const float text_end = area.min.x + wide_column(in);
+  LessonPlan plan{.text = {area.min, {text_end, area.max.y}},
+                  .pictures = {{text_end, area.min.y}, area.max},
+                  .stage = {{text_end, area.max.y}, area.max},
+                  .place = stage};
   if (stage == StagePlace::none) return plan;
-  const float wanted = filled_height(in, side_by_side ? 2 : 1, rest.width());
-  plan.pictures.max.y = std::round(rest.min.y + std::min(wanted, height - below));
+  const float width = plan.pictures.width();
+  const float least = std::min(room_for(in, count, in.one_picture ? beside_share : below_share).height,
+                               filled_height(in, count, width));
+  const float most = area.height() - between - (stage == StagePlace::line ? in.headline : tool);
+  const float wanted = stage == StagePlace::line ? most : std::min(most, filled_height(in, count, width));
+  plan.pictures.max.y = std::round(area.min.y + std::max(wanted, std::min(least, area.height() * most_pictures)));
   plan.stage.min.y = plan.pictures.max.y + between;
-  plan.folded = plan.stage.height() < least_stage * in.headline;
-  if (plan.folded) {  // the pictures may as well have what a stage cannot use
-    plan.pictures.max.y = std::round(rest.max.y - below);
-    plan.stage.min.y = plan.pictures.max.y + between;
-  }
   return plan;
 }
 

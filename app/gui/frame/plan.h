@@ -15,26 +15,34 @@ struct PlanInput {
   float headline = 0;        ///< height of a stage or drawer that is folded to one line
 };
 
-/// Where the tool has its place that a lesson's step is about.
-enum class StagePlace { none, below, beside };
+/// Where the tool has its place that a lesson's step is about: nowhere, in one line below the pictures, below or beside
+/// them.
+enum class StagePlace { none, line, below, beside };
 
 /// How the window is divided in a lesson.
 struct LessonPlan {
   Area text, pictures, stage;
-  bool folded = false;  ///< the stage has room for its headline alone
-  bool shared = false;  ///< text and stage have one place, for one of them at a time
+  StagePlace place = StagePlace::none;  ///< where the stage lies
+  bool shared = false;                  ///< text and stage have one place, for one of them at a time
 };
+
+/// At the sides of a region, and above and below a normal one, at scale 1.
+inline constexpr double region_padding = 8;
 
 /// Between two pictures, and between them and what is beside them, at scale 1.
 inline constexpr float picture_gap = 8, picture_margin = 4;
 
-/// The shares of the window that the pictures keep, 0..1: in a lesson, there beside a tall tool, and exploring.
-inline constexpr double lesson_share = 0.35, beside_share = 0.30, explore_share = 0.30;
+/// The shares of the window that the pictures keep, 0..1: in a lesson whose step names no tool, below and beside those
+/// that it names, and exploring.
+inline constexpr double lesson_share = 0.35, below_share = 0.18, beside_share = 0.14, explore_share = 0.30;
 
-/// The text as wide as it reads best, unless the pictures, side by side or as one, would take less than lesson_share of
-/// the window. What height they leave is the stage's below them; beside them it takes the place of one. Beside a tall
-/// tool the text gives way until the pictures have beside_share. In a narrow window, or with large type, where text,
-/// tool and pictures with that share do not fit, text and tool share one place.
+/// Room of a tool at scale 1, without its toolbar: its height below the pictures, its width beside them.
+inline constexpr float stage_height = 260, stage_width = 590;
+
+/// The text has two widths in a window: one at which it reads best, as long as two square pictures beside it, or in a
+/// narrow window one, keep lesson_share; and a narrow one beside a tall tool. The tool has what it needs, but for what
+/// the pictures must keep; one that would stand below a single picture stands beside it where there is room. In a
+/// narrow window, or with large type, where text, tall tool and pictures do not fit, text and tool share one place.
 LessonPlan plan_lesson(const PlanInput& input, StagePlace stage);
 
 /// How the window is divided exploring, below the bar of techniques. `left`, `right` and `bottom` are shares of the

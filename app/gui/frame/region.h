@@ -1,14 +1,13 @@
 #pragma once
 #include <string>
 
-#include "gui/panels/pictures/picture_transform.h"
+#include "gui/frame/plan.h"
 #include "gui/session/session.h"
 
 namespace ps::gui {
 
 /// The margins above and below what is in a region: those of a region of one line are tight.
 enum class RegionPadding { normal, tight };
-inline constexpr double region_padding = 8;  ///< at the sides, and above and below a normal one, pixels at scale 1
 
 /// Notes where a part of the window is drawn, for scripts.
 void note_area(std::string_view name, const Area& area);

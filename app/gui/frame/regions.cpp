@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/screen_names.h"
 #include "gui/frame/drawer.h"
 #include "gui/frame/region.h"
 #include "gui/frame/show_panel.h"
@@ -33,6 +34,12 @@ constexpr double least_options_height = 280;
 
 // Between a lesson's text and the pictures, besides the margins that both have.
 constexpr double text_margin = 12, narrow_text = 480, text_overlap = 8;  // a narrow text needs them for its lines
+
+// With less width a tool's controls have a line of their own below the list of tools.
+constexpr double least_line = 560;
+
+// The presenter's: of the height, and of the width.
+constexpr float most_of_caption = 0.6f, presented_tool = 0.46f;
 
 /// The width at which a text in the body's type has 62 characters to the line, with the column's margins.
 float reading_width() {
@@ -117,13 +124,16 @@ void Regions::pictures(const Area& area, double least_share, PictureCaptions cap
 }
 
 StagePlace Regions::stage_place() const {
-  if (session_.document().layout.stage == pictures_stage) return StagePlace::none;
+  const std::string& stage = session_.document().layout.stage;
+  if (stage == pictures_stage) return StagePlace::none;
+  if (stage.empty()) return StagePlace::line;
   return staged().facts.height == PanelHeight::tall ? StagePlace::beside : StagePlace::below;
 }
 
 Panel& Regions::staged() const {
   const std::string& stage = session_.document().layout.stage;
-  return panel(stage.empty() || stage == pictures_stage ? region_names::right : stage);
+  const bool story = stage.empty() || stage == pictures_stage || stage == story_names::one;
+  return panel(story ? region_names::right : stage);
 }
 
 /// Sets the question that the lesson's text asks: its step's, or that of Predict.
@@ -162,8 +172,9 @@ void Regions::lesson_text(const Area& area) {
 
 /// The text of the open lesson, whose title may be shown elsewhere.
 void Regions::titled_text(const Area& area, const std::string& title) {
-  const float margin = area.width() < px(narrow_text) ? -px(text_overlap) : px(text_margin);
-  const Area text{area.min, {area.max.x - margin, area.max.y}};
+  const float width = std::min(area.width(), reading_width());
+  const float margin = width < px(narrow_text) ? -px(text_overlap) : px(text_margin);
+  const Area text{area.min, {area.min.x + width - margin, area.max.y}};
   ask_in_text();
   begin_region(session_, region_names::lesson, text, title);
   panel(region_names::lesson).draw({.filled = session_.document().layout.filled == region_names::lesson});
@@ -230,11 +241,13 @@ void Regions::column(const Area& area) {
 }
 
 void Regions::lesson(const Area& area) {
-  // Where type is large beside the window, the lines around the pictures are what gives way.
-  const bool one = session_.document().compare != CompareMode::side_by_side || stage_place() == StagePlace::beside;
+  // The lines around the pictures are what gives way to a tool, and where type is large beside the window.
+  const StagePlace wanted = stage_place();
+  const bool one = session_.document().compare != CompareMode::side_by_side;
   const bool small = area.width() < px(1200) || area.height() < px(one ? 850 : 600);
-  const PictureCaptions captions = small ? PictureCaptions::brief : PictureCaptions::full;
-  const LessonPlan plan = plan_lesson(plan_input(area, captions), stage_place());
+  const bool staged = wanted == StagePlace::below || wanted == StagePlace::beside;
+  const PictureCaptions captions = small || staged ? PictureCaptions::brief : PictureCaptions::full;
+  const LessonPlan plan = plan_lesson(plan_input(area, captions), wanted);
   follow_column(session_, lessons_);
   lessons_.column.shared = plan.shared && session_.document().layout.panels && lessons_.shelf.open();
   if (lessons_.column.shared)
@@ -245,19 +258,24 @@ void Regions::lesson(const Area& area) {
     pictures({plan.pictures.min, area.max}, lesson_share, captions);
     return;
   }
-  if (stage_place() != StagePlace::none && !lessons_.column.shared) stage(plan.stage, plan.folded);
-  pictures(plan.pictures, stage_place() == StagePlace::beside ? 1 : lesson_share, captions);
+  if (plan.place == StagePlace::line) verdict_line(plan.stage);
+  if (staged && !lessons_.column.shared) stage(plan.stage);
+  pictures(plan.pictures, staged ? beside_share : lesson_share, captions);
 }
 
 /// What has less height than it needs can be scrolled. Answers whether the tool asks for the whole window, or no
 /// longer.
 bool Regions::tool(Panel& panel, const Context& context) {
   ImGui::BeginChild("tool");
+  begin_tool_content();  // what has no toolbar, or is covered, has all of it
+  const bool in_line = context.in_line && ImGui::GetContentRegionAvail().x >= px(least_line);
+  if (context.in_line) choose_stage(px(150), {});
+  if (in_line) ImGui::SameLine(0, px(12));
   bool asks = false;
   if (panel.facts.answers == Answers::yes && my_.pixel.asks())
     ImGui::TextWrapped("The story is shown after your answer.");
   else
-    asks = panel.draw(context);
+    asks = panel.draw({.filled = context.filled, .headed = context.headed, .in_line = in_line});
   ImGui::EndChild();
   return asks;
 }
@@ -271,14 +289,14 @@ void Regions::fill_with_stage() {
 
 /// The tool of the stage, from a list. `shown`: not empty: is written in place of its name.
 void Regions::choose_stage(float width, std::string_view shown) {
-  std::vector<Choice> tools{{story_names::one, "STORY", "The story of the picked pixel."}};
-  int index = 0;
-  for (const Panel& each : panels_) {
-    if (each.facts.place != PanelPlace::below) continue;
-    if (each.facts.name == session_.document().layout.stage) index = static_cast<int>(tools.size());
-    tools.push_back({each.facts.name, each.facts.heading, each.facts.help});
-  }
-  const std::string_view help = shown.empty() ? "What is shown below the pictures." : "Another tool for this step.";
+  std::vector<Choice> tools{{"verdict", "VERDICT", "What the story of the picked pixel ends with, in one line."},
+                            {story_names::one, "STORY", "The story of the picked pixel."}};
+  const std::string& stage = session_.document().layout.stage;
+  for (const Panel& each : panels_)
+    if (each.facts.place == PanelPlace::below) tools.push_back({each.facts.name, each.facts.heading, each.facts.help});
+  const auto found = std::find_if(tools.begin(), tools.end(), [&](const Choice& each) { return each.key == stage; });
+  int index = stage.empty() ? 0 : found == tools.end() ? 1 : static_cast<int>(found - tools.begin());
+  const std::string_view help = shown.empty() ? "What is shown with the pictures." : "Another tool for this step.";
   if (drop_down("stage", tools, index, width, {.tooltip = help, .shown = shown}))
     session_.navigate([&](Document& document) {
       document.layout.stage = index == 0 ? "" : std::string(tools[static_cast<std::size_t>(index)].key);
@@ -286,17 +304,24 @@ void Regions::choose_stage(float width, std::string_view shown) {
 }
 
 /// The tool that the step is about; another one can be chosen.
-void Regions::stage(const Area& area, bool folded) {
-  begin_region(session_, "stage", area, {}, folded ? RegionPadding::tight : RegionPadding::normal);
-  choose_stage(px(150), {});
+void Regions::stage(const Area& area) {
+  const bool tall = area.height() > area.width();  // from the menu to the status line
+  begin_region(session_, "stage", area, {}, tall ? RegionPadding::tight : RegionPadding::normal);
+  if (tool(staged(), {.in_line = true})) fill_with_stage();
+  ImGui::EndChild();
+}
+
+/// The story of a step that is not about it, folded to its verdict; a click opens it.
+void Regions::verdict_line(const Area& area) {
+  begin_region(session_, "stage", area, {}, RegionPadding::tight);
   const auto story = session_.story(inspected_side(session_));
-  if (folded) {
-    ImGui::SameLine(0, px(12));
-    const float room = ImGui::GetContentRegionAvail().x;
-    if (story && !my_.pixel.asks()) value_text("stage/verdict", whole_words(story->verdict, room));
-  } else if (tool(staged(), {})) {
-    fill_with_stage();
-  }
+  const bool told = story && !my_.pixel.asks();
+  const float room = ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().FramePadding.x;
+  const std::string line = told ? "› " + story->verdict : "› Story of the picked pixel";
+  const bool wanted = controls().revealing().starts_with("pixel/");  // by a script
+  if (button("stage/open", whole_words(line, room), Emphasis::quiet, {.tooltip = "Opens the story of the pixel."}) ||
+      wanted)
+    session_.navigate([](Document& document) { document.layout.stage = story_names::one; });
   ImGui::EndChild();
 }
 
@@ -349,11 +374,23 @@ void Regions::presenter(const Area& area) {
     my_.pictures.drawn.notes = {};
     return;
   }
-  const float caption = lessons_.shelf.open() ? caption_height() : 0;
-  pictures({area.min, {area.max.x, area.max.y - caption}}, lesson_share, PictureCaptions::brief);
-  if (caption <= 0) return;
-  begin_region(session_, "caption", {{area.min.x, area.max.y - caption}, area.max});
-  caption_strip(session_, lessons_);
+  CaptionStrip strip(session_, lessons_, area.width() - 2 * px(region_padding));
+  const float caption = area.max.y - std::min(strip.height(), area.height() * most_of_caption);
+  Area shown{area.min, {area.max.x, caption}};
+  // The step's tool has the place of the second picture.
+  const StagePlace place = lessons_.shelf.open() ? stage_place() : StagePlace::none;
+  const bool has_tool = place == StagePlace::below || place == StagePlace::beside;
+  if (has_tool) {
+    const float tool_begin = std::round(area.max.x - area.width() * presented_tool);
+    begin_region(session_, "stage", {{tool_begin, area.min.y}, shown.max});
+    tool(staged(), {});
+    ImGui::EndChild();
+    shown.max.x = tool_begin;
+  }
+  pictures(shown, has_tool ? beside_share : lesson_share, PictureCaptions::projected);
+  if (strip.height() <= 0) return;
+  begin_region(session_, "caption", {{area.min.x, caption}, area.max});
+  strip.draw(session_);
   ImGui::EndChild();
 }
 

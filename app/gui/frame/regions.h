@@ -10,8 +10,8 @@
 namespace ps::gui {
 
 /// The regions of the window with the panels in them, as the document's mode and layout divide it. A lesson: its text,
-/// the pictures, and below these the tool that the step is about. Exploring: the bar of techniques, below it the
-/// options if they are open, the pictures with a drawer of tools, and the pixel's story. A study: its tool at full
+/// the pictures, and below or beside these the tool that the step is about. Exploring: the bar of techniques, below it
+/// the options if they are open, the pictures with a drawer of tools, and the pixel's story. A study: its tool at full
 /// height beside small pictures. The presenter: pictures, and the lesson's text as a caption.
 class Regions {
  public:
@@ -37,7 +37,8 @@ class Regions {
   void right(const Area& column, bool open);
   void drawer(const Area& area);
   bool tool(Panel& panel, const Context& context);
-  void stage(const Area& area, bool folded);
+  void stage(const Area& area);
+  void verdict_line(const Area& area);
   void ask_in_text();
   void question(bool pending);
   void lesson_text(const Area& area);

@@ -30,8 +30,9 @@ struct PanelHost {
 
 /// With what a panel is drawn.
 struct Context {
-  bool filled = false;  ///< the panel has the window for itself
-  bool headed = false;  ///< what its head() draws is in the line above it
+  bool filled = false;   ///< the panel has the window for itself
+  bool headed = false;   ///< what its head() draws is in the line above it
+  bool in_line = false;  ///< its first control follows another one, in the same line
 };
 
 /// The height that a tool needs: a strip below the pictures, or the height of one of them.
@@ -108,6 +109,9 @@ using PanelList = std::vector<std::reference_wrapper<Panel>>;
 
 /// The panel of that name; the first tool where there is none.
 Panel& find_panel(const PanelList& panels, std::string_view name);
+
+/// The toolbar ends here. Scripts know the room that is left as "tool/room": width and height at scale 1.
+void begin_tool_content();
 
 /// Whether a worker is at work, or has news that were not taken up.
 template <class Worker>

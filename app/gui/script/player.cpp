@@ -13,6 +13,7 @@
 
 #include "base/atomic_file.h"
 #include "base/sanitizers.h"
+#include "gui/base/hand_clock.h"
 #include "gui/base/record.h"
 #include "gui/base/values.h"
 #include "gui/script/expectation.h"
@@ -21,6 +22,7 @@
 namespace ps::gui {
 namespace {
 
+constexpr double between_commands = 1;  // seconds of the hand's clock
 // Work takes some twenty times as long under the thread sanitizer.
 constexpr std::chrono::seconds wait_limit{with_thread_sanitizer ? 900 : 120};
 /// Frames until ImGui has seen an event and drawn what follows from it.
@@ -70,6 +72,7 @@ ScriptStep ScriptPlayer::step(Window& window, Content& content, LoopState state)
       if (next_ == commands_.size()) return {.ended = true};
       current_ = &commands_[next_++];
       if (current_->verb == Verb::quit) return {.ended = true};
+      hand_clock().pass(between_commands);
       begin(*current_);
     } else if (parts_.front()() == Turn::done) {
       parts_.pop_front();
@@ -150,6 +153,9 @@ void ScriptPlayer::begin(const Command& command) {
     return after_frames(frames_after_input);
   case Verb::write:
     write_file_atomically(words[0], words[1]);
+    return;
+  case Verb::clock:
+    hand_clock().stand_at(parse_script_number(words[0], command.place, clock_range));
     return;
   case Verb::draw:
     draws_ = words[0] == "on";
@@ -248,6 +254,7 @@ void ScriptPlayer::aim_at(const std::string& name) {
 void ScriptPlayer::press(MouseButton button, int clicks) {
   for (const bool down : {true, false})
     part([this, button, clicks, down] {
+      if (down) hand_clock().pass(between_commands);  // what it is aimed at may have come into sight just now
       push_button(window_->id(), button, down, target_.x, target_.y, clicks);
       after_frames(down ? 1 : frames_after_input);
       return Turn::done;

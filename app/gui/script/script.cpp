@@ -39,6 +39,7 @@ constexpr std::array verbs{
     VerbRow{"open", Verb::open, 1, 1, "open PATH-or-NAME"},
     VerbRow{"drop", Verb::drop, 1, 1, "drop PATH"},
     VerbRow{"write", Verb::write, 2, 2, "write PATH TEXT"},
+    VerbRow{"clock", Verb::clock, 1, 1, "clock SECONDS"},
     VerbRow{"draw", Verb::draw, 1, 1, "draw on or draw off"},
     VerbRow{"screenshot", Verb::screenshot, 1, 1, "screenshot PATH"},
     VerbRow{"expect", Verb::expect, 2, 4, "expect NAME [=|!=|~=|<|>|contains] VALUE [TOLERANCE]"},
@@ -134,6 +135,9 @@ void check(const Command& command, std::string_view usage) {
     break;
   case Verb::wheel:
     parse_script_number(words[0], command.place, wheel_range);
+    break;
+  case Verb::clock:
+    parse_script_number(words[0], command.place, clock_range);
     break;
   case Verb::key:
   case Verb::hold:

@@ -27,6 +27,7 @@ enum class Verb {
   open,         ///< open PATH-or-NAME
   drop,         ///< drop PATH, as if dragged into the window
   write,        ///< write PATH TEXT: what another program does to a file meanwhile
+  clock,        ///< clock SECONDS: stops the clock by which clicks are quick or slow; else commands are a second apart
   draw,         ///< draw on | draw off: frames are laid out without being drawn, but for screenshots
   screenshot,   ///< screenshot PATH
   expect,       ///< expect NAME VALUE | expect NAME OPERATOR VALUE [TOLERANCE]; OPERATOR is = != ~= < > contains
@@ -56,7 +57,7 @@ struct AllowedRange {
   double low = -1e5, high = 1e5;  ///< places and distances in a window
 };
 inline constexpr AllowedRange pixel_range{0, 65535}, size_range{1, 16384}, wheel_range{-1000, 1000},
-    frames_range{0, 100000}, milliseconds_range{0, 3600000};
+    frames_range{0, 100000}, clock_range{0, 1e6}, milliseconds_range{0, 3600000};
 NumberPair parse_number_pair(const std::string& text, const SourcePlace& place, char separator = ',',
                              AllowedRange range = {});
 double parse_script_number(const std::string& text, const SourcePlace& place, AllowedRange range);

@@ -102,13 +102,14 @@ struct Shell::Impl {
   explicit Impl(const ShellOptions& options)
       : script(options.script.empty() ? nullptr : std::make_unique<ScriptPlayer>(options.script)),
         state(script && !std::getenv("XDG_STATE_HOME") ? std::filesystem::path() : StateFile::default_path()),
-        remembers_placement(!options.size && state.remembers()),
+        asked_size(options.size.has_value()), remembers_placement(!asked_size && state.remembers()),
         window(options.title, remembers_placement ? remembered_placement(state)
                                                   : WindowPlacement{.size = options.size.value_or(scripted_size)}) {}
 
   std::unique_ptr<ScriptPlayer> script;  // read first: a bad script must not open a window
   StateFile state;
   std::vector<std::string> complaints;  // about files of the user that were ignored
+  bool asked_size;
   bool remembers_placement;
   Window window;
   InputTracker input;
@@ -377,6 +378,7 @@ void Shell::take_shot(std::function<void(Image<Rgb8>)> take) {
 }
 void Shell::set_fullscreen(bool on) { impl_->window.set_fullscreen(on); }
 bool Shell::fullscreen() const { return impl_->window.fullscreen(); }
+bool Shell::has_asked_size() const { return impl_->asked_size; }
 void Shell::set_title(const std::string& title) { impl_->window.set_title(title); }
 std::string Shell::clipboard() const { return impl_->window.clipboard(); }
 void Shell::set_clipboard(const std::string& text) { impl_->window.set_clipboard(text); }

@@ -50,6 +50,8 @@ class Shell {
   void take_shot(std::function<void(Image<Rgb8>)> take);
   void set_fullscreen(bool on);
   bool fullscreen() const;
+  /// Whether it was started in a size that was asked for.
+  bool has_asked_size() const;
   void set_title(const std::string& title);
   std::string clipboard() const;
   void set_clipboard(const std::string& text);

@@ -21,9 +21,18 @@ ImU32 colour_of(const Tint& tint) {
 constexpr std::array<Face, enumerator_count<Lettering>()> faces{Face::small,  Face::small_bold,  Face::body,
                                                                 Face::bold,   Face::italic,      Face::heading,
                                                                 Face::script, Face::script_bold, Face::script_italic};
-ImFont* font_of(Lettering lettering) { return theme().font(faces[static_cast<std::size_t>(lettering)]); }
+
+/// The same for the last row behind a projector; scripts are the size below the caption's.
+constexpr std::array<Face, enumerator_count<Lettering>()> projected_faces{
+    Face::caption, Face::caption, Face::caption, Face::caption, Face::caption_italic,
+    Face::caption, Face::bold,    Face::bold,    Face::italic};
 
 }  // namespace
+
+ImFont* ScreenPainter::font_of(Lettering lettering) const {
+  const auto& all = type_ == PaintedType::projected ? projected_faces : faces;
+  return theme().font(all[static_cast<std::size_t>(lettering)]);
+}
 
 float ScreenPainter::width_of(const Stroke& stroke) const {
   return std::max(1.f, static_cast<float>(px(stroke.width)));

@@ -18,12 +18,19 @@ struct ScreenPicture {
   ImTextureID texture;
 };
 
+/// The size of a drawing: for those before the window, or in the caption's letters, for the last row behind a
+/// projector.
+enum class PaintedType { window, projected };
+
 /// Draws into the window, in its pixels.
 class ScreenPainter final : public Painter {
  public:
   /// `pictures` are all that picture() may be called with; they must outlive the painter.
-  explicit ScreenPainter(ImDrawList& list, std::span<const ScreenPicture> pictures = {})
-      : Painter(theme().scale()), list_(list), pictures_(pictures) {}
+  explicit ScreenPainter(ImDrawList& list, std::span<const ScreenPicture> pictures = {},
+                         PaintedType type = PaintedType::window)
+      : Painter(theme().scale() *
+                (type == PaintedType::projected ? type_size(Face::caption) / type_size(Face::body) : 1)),
+        list_(list), pictures_(pictures), type_(type) {}
 
   using Painter::rectangle;
   void polyline(std::span<const Vec2d> points, const Stroke& stroke) override;
@@ -38,10 +45,12 @@ class ScreenPainter final : public Painter {
  private:
   void write(const Vec2d& at, std::string_view words, const TextLook& look) override;
   float width_of(const Stroke& stroke) const;
+  ImFont* font_of(Lettering lettering) const;
   /// `along` is the way along a longer line at which this part begins. Returns that at which it ends.
   float dashes(ImVec2 from, ImVec2 to, const Stroke& stroke, float along);
   ImDrawList& list_;
   std::span<const ScreenPicture> pictures_;
+  PaintedType type_;
 };
 
 }  // namespace ps::gui

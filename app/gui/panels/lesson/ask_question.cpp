@@ -147,12 +147,14 @@ bool ask_lesson_question(Session& session, LessonQuestions& questions, AskPlace 
   const bool answered =
       !leads_on && button("answer", names_line ? fmt::format("Answer: {}", given) : "Answer", Emphasis::primary,
                           {.tooltip = "Shows whether the answer is right.", .disabled = reason});
-  if ((answered || entered) && reason.empty()) {
+  const bool settled = questions.place.settled();
+  if (((answered && settled) || entered) && reason.empty()) {
     questions.take(session, given, judge(question, questions.answer, *right));
     return false;
   }
   same_line_if_room(button_width("Skip"));
-  if (button("skip", "Skip", Emphasis::quiet, {.tooltip = "Goes on without an answer; nothing is kept."}))
+  if (button("skip", "Skip", Emphasis::quiet, {.tooltip = "Shows the answer and its reason; nothing is kept."}) &&
+      settled)
     questions.take(session, "", {});
   if (turns && !leads_on) {
     const std::string_view label = place == AskPlace::below_text ? "Listing" : "Read the task";

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "gui/panels/lesson/text_pages.h"
+#include "engine/paper_text.h"
+#include "gui/input/key_hint.h"
 #include "gui/panels/lesson/text_view.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/screen_painter.h"
@@ -16,25 +17,19 @@ namespace {
 
 constexpr float lines_of_page = 3;
 
-/// The step's text without links and controls, which are not for an audience. While a question is open, without what
-/// to look for, which would answer it.
-std::vector<TextBlock> spoken_blocks(const LessonStep& step, bool holds_back) {
-  std::vector<TextBlock> blocks = step.blocks;
-  if (!holds_back) blocks.insert(blocks.end(), step.hints.begin(), step.hints.end());
-  for (TextBlock& block : blocks)
-    for (TextSpan& span : block.spans) {
-      span.style = TextStyle::plain;
-      span.link = {};
-    }
-  return blocks;
+/// Without links and controls, which are not for an audience.
+TextBlock spoken(TextBlock block) {
+  for (TextSpan& span : block.spans) {
+    span.style = TextStyle::plain;
+    span.link = {};
+  }
+  return block;
 }
 
-/// The pages of a caption are full: a page may end within a paragraph, and no space parts these.
-std::vector<std::size_t> caption_pages(const std::vector<TextLine>& lines, float height) {
-  std::vector<PagePart> parts;
-  parts.reserve(lines.size());
-  for (const TextLine& line : lines) parts.push_back({0, line.height, false, false});
-  return page_starts(parts, height);
+TextBlock words_block(const std::string& text) {
+  TextBlock block;
+  block.spans.push_back({text, TextStyle::plain, {}, {}});
+  return block;
 }
 
 std::string words_of_line(const TextLine& line) {
@@ -57,7 +52,7 @@ void draw_projected_figure(const Figure& figure, float low) {
   constexpr float share_of_width = 0.55f, share_of_room = 0.92f;
   const ImVec2 window = ImGui::GetMainViewport()->Size;
   ImDrawList& list = *ImGui::GetForegroundDrawList();
-  ScreenPainter painter(list);
+  ScreenPainter painter(list, {}, PaintedType::projected);
   const float edge = px(16);
   float width = share_of_width * window.x;
   const auto height_at = [&] { return static_cast<float>(figure_height(painter, figure, width)); };
@@ -70,48 +65,104 @@ void draw_projected_figure(const Figure& figure, float low) {
 
 }  // namespace
 
-float caption_height() { return lines_of_page * text_line_height(Face::caption) + px(40); }
-
-void caption_strip(Session& session, LessonReading& state) {
-  const NameScope scope("caption");
-  const Lesson* lesson = state.shelf.open();
-  if (!lesson || lesson->steps.empty()) return;
-  const int count = static_cast<int>(lesson->steps.size());
-  const int index = std::clamp(session.document().step, 0, count - 1);
-  const LessonStep& step = lesson->steps[static_cast<std::size_t>(index)];
+CaptionStrip::CaptionStrip(const Session& session, LessonReading& state, float width)
+    : state_(state), lesson_(state.shelf.open()), width_(width) {
+  if (!lesson_ || lesson_->steps.empty()) {
+    lesson_ = nullptr;
+    return;
+  }
+  step_ = std::clamp(session.document().step, 0, static_cast<int>(lesson_->steps.size()) - 1);
+  const LessonStep& step = lesson_->steps[static_cast<std::size_t>(step_)];
+  for (const TextBlock& block : step.blocks) add_text(block, mark_of(block));
+  if (step.question && state.questions.open()) {
+    add_question(*step.question);
+  } else {
+    if (step.question) {
+      pages_.emplace_back();  // in the question's place
+      add_text(words_block(told_answer(state.questions)), {});
+    }
+    for (const TextBlock& hint : step.hints) add_text(hint, "→");
+  }
+  if (pages_.empty()) pages_.emplace_back();
   ReadPage& caption = state.caption;
   follow_step(session, caption);
-  const FontScope font(Face::caption);
-  const ImVec2 room = ImGui::GetContentRegionAvail();
-  const std::vector<TextBlock> blocks = spoken_blocks(step, state.holds_back);
-  std::vector<TextLine> lines;
-  for (std::size_t i = 0; i < blocks.size(); ++i)
-    lay_out(blocks[i], i < step.blocks.size() ? mark_of(blocks[i]) : "→", Face::caption, room.x, lines);
-  const std::vector<std::size_t> starts = caption_pages(lines, lines_of_page * text_line_height(Face::caption));
-  caption.seen.now();
-  caption.pages = static_cast<int>(starts.size());
+  caption.pages = static_cast<int>(pages_.size());
   caption.page = std::clamp(caption.page, 0, caption.pages - 1);
-  {
-    const FontScope small(Face::bold);
-    value_text("place", fmt::format("{}   {} of {}, page {} of {}", step.title, index + 1, count, caption.page + 1,
-                                    caption.pages));
+  caption.asks = pages_[static_cast<std::size_t>(caption.page)].asks;
+}
+
+std::vector<TextLine> CaptionStrip::lines_of(const Page& page) const {
+  const FontScope font(Face::caption);
+  std::vector<TextLine> lines;
+  for (const Part& part : page.parts) lay_out(part.block, part.mark, Face::caption, width_, lines);
+  return lines;
+}
+
+float CaptionStrip::height_of(const Page& page) const {
+  float height = 0;
+  for (const TextLine& line : lines_of(page)) height += line.height;
+  return height;
+}
+
+/// Sentence by sentence: what is full ends with one. A sentence with more lines than others has a page for itself.
+void CaptionStrip::add_text(const TextBlock& block, const std::string& mark) {
+  const float most = lines_of_page * text_line_height(Face::caption);
+  bool begins = true;  // the block
+  Part part{spoken(block), mark};
+  for (Sentence& sentence : sentences_of(part.block)) {
+    Page longer = pages_.empty() ? Page{} : pages_.back();
+    part.block.spans = std::move(sentence);
+    if (begins || longer.parts.empty()) {
+      longer.parts.push_back(part);
+    } else {
+      auto& spans = longer.parts.back().block.spans;
+      spans.insert(spans.end(), part.block.spans.begin(), part.block.spans.end());
+    }
+    if (pages_.empty() || pages_.back().asks || height_of(longer) > most)
+      pages_.push_back({{part}, false});
+    else
+      pages_.back() = std::move(longer);
+    begins = false;
+    part.mark.clear();
   }
-  note_read(state, *lesson, index, caption);
-  const auto page = static_cast<std::size_t>(caption.page);
-  const std::size_t end = page + 1 < starts.size() ? starts[page + 1] : lines.size();
+}
+
+void CaptionStrip::add_question(const LessonQuestion& question) {
+  Page& page = pages_.emplace_back(Page{{{words_block(question.text), ""}}, true});
+  for (std::size_t i = 0; i < question.choices.size(); ++i)
+    page.parts.push_back({words_block(question.choices[i].text), fmt::format("{}.", i + 1)});
+}
+
+float CaptionStrip::height() const {
+  if (!lesson_) return 0;
+  const float text = height_of(pages_[static_cast<std::size_t>(state_.caption.page)]);
+  return std::max(text, lines_of_page * text_line_height(Face::caption)) + text_line_height(Face::caption) + px(24);
+}
+
+void CaptionStrip::draw(Session& session) {
+  if (!lesson_) return;
+  const NameScope scope("caption");
+  ReadPage& caption = state_.caption;
+  caption.seen.now();
+  const FontScope font(Face::caption);
+  value_text("place",
+             fmt::format("{}   {} of {}, page {} of {}{}", lesson_->steps[static_cast<std::size_t>(step_)].title,
+                         step_ + 1, lesson_->steps.size(), caption.page + 1, caption.pages,
+                         caption.asks ? with_key("   reveal the answer", "lesson-read-on") : ""));
+  note_read(state_, *lesson_, step_, caption);
   ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 from = at;
   std::string shown;
   const Figure* figure = nullptr;
-  for (std::size_t i = starts[page]; i < end; ++i) {
+  for (const TextLine& line : lines_of(pages_[static_cast<std::size_t>(caption.page)])) {
     ImGui::SetCursorScreenPos(at);
-    draw_line(session, lines[i]);
-    if (lines[i].figure) figure = lines[i].figure;
-    at.y += lines[i].height;
-    shown += (shown.empty() ? "" : "\n") + words_of_line(lines[i]);
+    draw_line(session, line);
+    if (line.figure) figure = line.figure;
+    at.y += line.height;
+    shown += (shown.empty() ? "" : "\n") + words_of_line(line);
   }
   if (figure) draw_projected_figure(*figure, ImGui::GetWindowPos().y);
-  controls().record("text", from, {from.x + room.x, at.y}, shown);
+  controls().record("text", from, {from.x + width_, at.y}, shown);
 }
 
 }  // namespace ps::gui

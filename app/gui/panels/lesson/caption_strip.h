@@ -1,11 +1,43 @@
 #pragma once
+#include <string>
+#include <vector>
+
 #include "gui/panels/lesson/lesson_panel.h"
+#include "gui/panels/lesson/text_layout.h"
 
 namespace ps::gui {
 
-/// Height of the strip with its margins, window pixels.
-float caption_height();
-/// The step's text, a few lines at a time, in letters that are read from the last row. Draws nothing without a lesson.
-void caption_strip(Session& session, LessonReading& state);
+/// The open step as an audience reads it, in letters that are read from the last row: its text, a few whole sentences
+/// at a time, then its question with the choices, and once that is revealed the answer and what to look for.
+class CaptionStrip {
+ public:
+  /// Lays out the page that is shown, in lines of this width. Without an open lesson there is none.
+  CaptionStrip(const Session& session, LessonReading& state, float width);
+  /// With its margins, window pixels; 0 without a lesson.
+  float height() const;
+  /// In the room that there is.
+  void draw(Session& session);
+
+ private:
+  struct Part {
+    TextBlock block;
+    std::string mark;
+  };
+  struct Page {
+    std::vector<Part> parts;
+    bool asks = false;
+  };
+
+  std::vector<TextLine> lines_of(const Page& page) const;
+  float height_of(const Page& page) const;
+  void add_text(const TextBlock& block, const std::string& mark);
+  void add_question(const LessonQuestion& question);
+
+  LessonReading& state_;
+  const Lesson* lesson_;
+  int step_ = 0;
+  float width_;
+  std::vector<Page> pages_;
+};
 
 }  // namespace ps::gui

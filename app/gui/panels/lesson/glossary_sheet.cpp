@@ -57,13 +57,8 @@ std::optional<LinkTarget> GlossarySheet::draw_entry(const GlossaryEntry& entry, 
     const FontScope bold(Face::bold);
     draw_lines(ImGui::GetCursorScreenPos(), entry.term, palette().text);
   }
-  std::optional<LinkTarget> followed;
-  float y = from.y + px(4) + ImGui::GetTextLineHeight();
-  for (const TextLine& line : lines) {
-    ImGui::SetCursorScreenPos({from.x + edge, y + line.gap});
-    if (auto clicked = draw_line(session_, line)) followed = std::move(clicked);
-    y += line.gap + line.height;
-  }
+  ImGui::SetCursorScreenPos({from.x + edge, from.y + px(4) + ImGui::GetTextLineHeight()});
+  auto followed = draw_text_lines(session_, lines, inside);
   ImGui::SetCursorScreenPos(from);
   ImGui::Dummy({width, height + px(6)});
   if (marked && scroll_for_ > 0) {

@@ -340,6 +340,7 @@ void buttons(Session& session, LessonReading& state, const Lesson& lesson, int i
   show_text(place, {.quiet = true});
   if (!place.empty()) controls().record("place", places.front());
   tooltip(places.front());
+  if (!state.questions.place.settled()) by = 0;
   if (last && by > 0)
     move_lesson(session, 1);
   else if (by != 0)
@@ -418,6 +419,10 @@ void LessonPanel::update() {
     go_to_step(session_, session_.document().lesson, session_.document().step);
     state.questions.ask_again();
   }
+  state.questions.tell_skipped(session_);
+  const Document& document = session_.document();
+  state.questions.place.shows(fmt::format("{}/{}/{}/{}", document.lesson, document.step, state.text.page,
+                                          state.column.shows == ColumnShows::text ? "text" : "tool"));
   state.verdict = shown_verdict(state.questions);
   state.holds_back = state.questions.holds_back();
   state.questions.hold(host_.needs_processors());

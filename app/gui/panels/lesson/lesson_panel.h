@@ -15,6 +15,7 @@ namespace ps::gui {
 /// Which page of a step's text is shown, in its panel or as the presenter's caption.
 struct ReadPage {
   int page = 0, pages = 1;
+  bool asks = false;         ///< the presenter asks the step's question on this page
   bool turned_back = false;  ///< the step was entered by paging back from the next one
   Seen seen;
   double line_length = 0;  ///< characters that a full line holds; of the panel's text alone

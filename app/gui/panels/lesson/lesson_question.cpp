@@ -112,18 +112,39 @@ void LessonQuestions::take(Session& session, const std::string& given, const Jud
   }
 }
 
+void LessonQuestions::tell_skipped(const Session& session) {
+  const auto found = answered_.find(here_);
+  if (!question_ || found == answered_.end()) return;
+  const auto& [words, judgement] = found->second;
+  if (!words.empty() || !judgement.sentence.empty()) return;
+  std::string& sentence = found->second.judgement.sentence;
+  if (question_->kind != AskKind::pixel) {
+    if (const auto measured = right()) sentence = right_sentence(*question_, *measured);
+    return;
+  }
+  const auto story = session.story(inspected_side(session));
+  if (story && story->pixel == pixel_before) sentence = right_sentence(*question_, *story, session.scene());
+}
+
 void LessonQuestions::ask_again() {
   answered_.erase(here_);
   version_ = -1;
 }
 
+std::string told_answer(const LessonQuestions& questions) {
+  const Judgement* verdict = questions.verdict();
+  if (verdict && !verdict->sentence.empty()) return verdict->sentence;
+  return questions.measuring() ? "The answer is being measured." : questions.failure();
+}
+
 std::optional<StepVerdict> shown_verdict(const LessonQuestions& questions) {
   const Judgement* verdict = questions.verdict();
   if (!verdict) return {};
-  StepVerdict shown{questions.question()->text, "You have skipped it.", {}};
-  if (verdict->sentence.empty()) return shown;
-  shown.sentence = verdict->sentence;
-  shown.points = verdict->points;
+  StepVerdict shown{questions.question()->text, verdict->sentence, {}};
+  if (!questions.given().empty())
+    shown.points = verdict->points;
+  else
+    shown.sentence = "You have skipped it. " + told_answer(questions);
   return shown;
 }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "engine/question.h"
+#include "gui/base/hand_clock.h"
 #include "gui/panels/lesson/lesson_shelf.h"
 #include "gui/work/background_study.h"
 
@@ -60,6 +61,9 @@ class LessonQuestions {
   bool measuring() const { return to_measure_ || measuring_.running(); }
   /// Why it could not be measured.
   std::string failure() const { return to_measure_ ? "" : measuring_.message(); }
+  /// Once per frame: to a question that was skipped, the right answer once it is known.
+  void tell_skipped(const Session& session);
+  FreshPlace place;              ///< what the text shows: a click right after a change does not count
   bool turn_to_verdict = false;  ///< the page with it is to be shown, once
   StudentAnswer answer;
   std::string typed;           ///< AskKind::number
@@ -102,6 +106,9 @@ void way_back_button(Session& session);
 
 /// A bar from `top` down to the end of the item that was drawn last, in the colour of right or of wrong.
 void verdict_bar(ImVec2 top, const Judgement& judgement);
+
+/// The right answer with its reason, to those who were not judged; what keeps one from it while it is not known.
+std::string told_answer(const LessonQuestions& questions);
 
 /// The verdict on the answer to the step's question, for the lesson's text; nullopt before that.
 std::optional<StepVerdict> shown_verdict(const LessonQuestions& questions);

@@ -43,7 +43,8 @@ void turn_column(LessonColumn& column) {
 }
 
 void read_lesson(Session& session, LessonReading& state, int by) {
-  ReadPage& read = session.document().mode == ScreenMode::presenter ? state.caption : state.text;
+  const bool presents = session.document().mode == ScreenMode::presenter;
+  ReadPage& read = presents ? state.caption : state.text;
   const bool tool = state.column.shared && state.column.shows == ColumnShows::tool;
   const bool last = read.page + 1 >= read.pages;
   if (state.column.shared && (by < 0 ? tool : !tool && last)) {
@@ -53,6 +54,10 @@ void read_lesson(Session& session, LessonReading& state, int by) {
   const int page = read.page + by;
   if (read.seen.lately() && page >= 0 && page < read.pages) {
     read.page = page;
+    return;
+  }
+  if (presents && by > 0 && read.asks && read.seen.lately()) {
+    state.questions.take(session, "", {});
     return;
   }
   read.turned_back = by < 0;

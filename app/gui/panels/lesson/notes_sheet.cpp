@@ -32,18 +32,8 @@ std::optional<LinkTarget> draw_notes(Session& session, const std::vector<TextBlo
     lay_out(block, mark_of(block), Face::body, width, lines);
     words += (words.empty() ? "" : " ") + plain_text(block);
   }
-  std::optional<LinkTarget> followed;
-  const ImVec2 from = ImGui::GetCursorScreenPos();
-  ImVec2 at = from;
-  for (const TextLine& line : lines) {
-    at.y += line.gap;
-    ImGui::SetCursorScreenPos(at);
-    if (auto clicked = draw_line(session, line)) followed = std::move(clicked);
-    at.y += line.height;
-  }
-  ImGui::SetCursorScreenPos(from);
-  ImGui::Dummy({width, at.y - from.y});
-  controls().record("text", from, {from.x + width, at.y}, words);
+  auto followed = draw_text_lines(session, lines, width);
+  controls().record("text", words);
   return followed;
 }
 

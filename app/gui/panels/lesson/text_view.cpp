@@ -180,4 +180,19 @@ std::optional<LinkTarget> draw_line(Session& session, const TextLine& line) {
   return clicked;
 }
 
+std::optional<LinkTarget> draw_text_lines(Session& session, const std::vector<TextLine>& lines, float width) {
+  std::optional<LinkTarget> followed;
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  ImVec2 at = from;
+  for (const TextLine& line : lines) {
+    at.y += line.gap;
+    ImGui::SetCursorScreenPos(at);
+    if (auto clicked = draw_line(session, line)) followed = std::move(clicked);
+    at.y += line.height;
+  }
+  ImGui::SetCursorScreenPos(from);
+  ImGui::Dummy({width, at.y - from.y});
+  return followed;
+}
+
 }  // namespace ps::gui

@@ -310,6 +310,7 @@ bool MicroscopePanel::draw(const Context& context) {
         state.shown->microscope->detail() == MicroDetail::first ? MicroDetail::whole : state.shown->request.detail;
   state.worker.request(request);
   const bool fill = toolbar(session, state, host_, context.filled);
+  begin_tool_content();
   if (!state.shown) return fill;
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const bool beside = room.x > room.y * 1.2f;

@@ -72,7 +72,7 @@ std::vector<FooterItem> footer_items(Session& session, Side side, CaptionChange&
   // After the pixels that are not a number, which no ellipsis may reach.
   const auto place =
       std::find_if(items.begin(), items.end(), [](const FooterItem& item) { return item.voice != Voice::attention; });
-  if (captions == PictureCaptions::brief) items.insert(place, left_out_item(session, side));
+  if (captions != PictureCaptions::full) items.insert(place, left_out_item(session, side));
   std::erase_if(items, [](const FooterItem& item) { return item.text.empty(); });
   if (!lead.empty() && !items.empty()) {
     items.front().text = lead + items.front().text;
@@ -82,11 +82,10 @@ std::vector<FooterItem> footer_items(Session& session, Side side, CaptionChange&
 }
 
 struct FooterMeasures {
-  float between = px(14), mark = px(11), height = theme().font(Face::small)->FontSize + px(3);
+  Face face = Face::small;
+  float between = px(14), mark = px(11), height = theme().font(face)->FontSize + px(3);
   float inset(const FooterItem& item) const { return item.voice == Voice::attention ? mark + px(5) : 0; }
-  float width(const FooterItem& item, const std::string& text) const {
-    return inset(item) + text_width(text, Face::small);
-  }
+  float width(const FooterItem& item, const std::string& text) const { return inset(item) + text_width(text, face); }
 };
 
 /// Where each item begins, and its room.
@@ -150,7 +149,7 @@ void picture_footer(Session& session, Side side, CaptionChange& change, const Ar
                     const std::string& lead, const std::string& beside) {
   const NameScope scope(side == Side::a ? "view/a" : "view/b");
   auto& list = *ImGui::GetWindowDrawList();
-  const FooterMeasures measures;
+  const FooterMeasures measures{.face = captions == PictureCaptions::projected ? Face::caption : Face::small};
   std::vector<FooterItem> items = footer_items(session, side, change, captions, lead, beside);
   const ImVec2 corner{row.min.x, row.min.y + px(3)};
   const float bottom = row.max.y - (captions == PictureCaptions::full ? px(note_height) : 0);
@@ -166,14 +165,14 @@ void picture_footer(Session& session, Side side, CaptionChange& change, const Ar
     if (item.voice == Voice::attention) attention_mark(list, {at.x, at.y + px(2)}, measures.mark);
     // What does not fit is not there at all, but for the first: half a number would be another one.
     const float room = width - measures.inset(item);
-    const FontScope small(Face::small);
+    const FontScope font(measures.face);
     const std::string shown = i == 0 ? whole_parts(text, room) : text;
     if (i > 0 && text_width(text) > room + 1) continue;
     const float left = at.x + measures.inset(item);
     draw_text({left, at.y}, {left + room + 1, at.y + ImGui::GetFontSize()}, shown,
               item.voice == Voice::quiet ? palette().text_quiet : palette().text, 0);
     ImGui::SetCursorScreenPos(at);
-    ImGui::Dummy({width, measures.height});
+    ImGui::Dummy({width, std::min(measures.height, row.max.y - at.y)});
     if (item.name == "left-out" || item.name == "beside") controls().record(item.name, text);
     tooltip(item.tooltip);
   }

@@ -40,21 +40,31 @@ PictureTitle title_of(Session& session, Side side) {
   return title;
 }
 
+/// The faces of a title and of the line below a picture.
+struct TitleFaces {
+  Face large, low;
+};
+TitleFaces title_faces(PictureCaptions captions) {
+  return captions == PictureCaptions::projected ? TitleFaces{Face::caption, Face::caption}
+                                                : TitleFaces{Face::bold, Face::small};
+}
+
 /// A title in its room: what differs in bold, if need be in small type or as values alone; then the rest, quietly.
-void draw_title(const PictureTitle& title, ImVec2 at, float room) {
+void draw_title(const PictureTitle& title, ImVec2 at, float room, PictureCaptions captions) {
+  const auto [large, low] = title_faces(captions);
   const auto fits = [&](Face face, const std::string& text) { return text_width(text, face) <= room; };
-  const bool whole = fits(Face::bold, title.differing) || fits(Face::small, title.differing);
+  const bool whole = fits(large, title.differing) || fits(low, title.differing);
   const std::string& words = whole || title.brief.empty() ? title.differing : title.brief;
-  const ImVec2 end{at.x + room, at.y + theme().font(Face::bold)->FontSize};
+  const ImVec2 end{at.x + room, at.y + theme().font(large)->FontSize};
   float used = px(12);
   {
-    const FontScope font(fits(Face::bold, words) ? Face::bold : Face::small);
+    const FontScope font(fits(large, words) ? large : low);
     draw_text(at, end, whole_parts(words, room), palette().text, 0);
     used += text_width(words);
   }
   const float left = room - used;
   if (title.shared.empty() || left < px(40)) return;
-  const FontScope small(Face::small);
+  const FontScope small(low);
   const std::string rest = whole_parts(title.shared, left);
   if (text_width(rest) <= left)
     draw_text({at.x + used, at.y + px(1)}, {end.x, end.y + px(1)}, rest, palette().text_quiet, 0);
@@ -64,12 +74,13 @@ void draw_title(const PictureTitle& title, ImVec2 at, float room) {
 
 PictureMargins picture_margins(float width, PictureCaptions captions) {
   if (captions == PictureCaptions::brief) return {px(19), px(20)};
+  if (captions == PictureCaptions::projected) return {px(36), px(32)};
   const float notes = px(note_height);
   return width < px(narrow_below) ? PictureMargins{px(66), px(46) + notes} : PictureMargins{px(34), px(26) + notes};
 }
 
 std::optional<Area> picture_note(const Area& footer, PictureCaptions captions) {
-  if (captions == PictureCaptions::brief) return {};
+  if (captions != PictureCaptions::full) return {};
   return Area{{footer.min.x, footer.max.y - px(note_height)}, {footer.max.x, footer.max.y - px(3)}};
 }
 
@@ -95,7 +106,8 @@ void picture_title(Session& session, Side side, const Area& row, PictureCaptions
   const bool is_narrow = row.width() < px(narrow_below), two_lines = is_narrow && captions == PictureCaptions::full;
   const bool has_choice = captions == PictureCaptions::full;  // a brief line has no room for it
   const float line = two_lines ? row.height() - ImGui::GetFrameHeight() - px(3) : row.height();
-  const float size = std::min(px(22), line), top = row.min.y + (line - size) / 2;
+  const float size = std::min(px(captions == PictureCaptions::projected ? 30 : 22), line),
+              top = row.min.y + (line - size) / 2;
   const std::string_view channel = channel_choices()[static_cast<std::size_t>(session.shown(side))].label;
   const float channel_room = std::max(px(136), text_width(channel) + px(34));  // with the arrow of the list
   const float choice_width = has_choice ? std::min(channel_room, row.width() * (two_lines ? 0.7f : 0.45f)) : 0,
@@ -106,8 +118,8 @@ void picture_title(Session& session, Side side, const Area& row, PictureCaptions
   if (!instead.empty()) words = {std::string(instead), {}, {}};
   const std::string text = words.text();
   const float text_left = row.min.x + size + space;
-  const float text_top = top + (size - theme().font(Face::bold)->FontSize) / 2;
-  draw_title(words, {text_left, text_top}, row.max.x - text_left - (two_lines ? 0 : choice_width + space));
+  const float text_top = top + (size - theme().font(title_faces(captions).large)->FontSize) / 2;
+  draw_title(words, {text_left, text_top}, row.max.x - text_left - (two_lines ? 0 : choice_width + space), captions);
 
   ImGui::SetCursorScreenPos(row.min);
   ImGui::InvisibleButton(side == Side::a ? "title-a" : "title-b",

@@ -286,6 +286,8 @@ bool PixelsPanel::draw(const Context& context) {
   const NameScope scope("pixels");
   if (!session_.has_scene()) return false;
   refresh(session_, state_, pictures_);
+  if (context.in_line) ImGui::NewLine();
+  begin_tool_content();
   ImGui::BeginChild("pixels");
   const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetContentRegionAvail().y;
   const bool beside = room >= px(2 * column_width);

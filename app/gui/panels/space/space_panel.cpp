@@ -372,7 +372,9 @@ bool SpacePanel::draw(const Context& context) {
   const int selected = state.shown_story ? shown_event(state.model, *state.shown_story, event) : -1;
   const ImVec2 room = ImGui::GetContentRegionAvail();
   bool fill_or_not = toolbar(state, host_, selected, room.x / std::max(room.y, 1.f), context.filled);
-  const int width = static_cast<int>(room.x), height = static_cast<int>(ImGui::GetContentRegionAvail().y);
+  begin_tool_content();
+  const int width = static_cast<int>(ImGui::GetContentRegionAvail().x),
+            height = static_cast<int>(ImGui::GetContentRegionAvail().y);
   const double aspect = static_cast<double>(std::max(width, 1)) / std::max(height, 1);
   if (width < 16 || height < 16) return fill_or_not;
 

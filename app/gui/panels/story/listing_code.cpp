@@ -150,12 +150,14 @@ std::size_t routine_of(const std::vector<ListingRow>& rows, std::size_t row) {
   return head;
 }
 
-/// The line where a routine of this name begins, with the remarks above it.
-std::optional<std::size_t> routine_named(const std::vector<ListingRow>& rows, const std::string& name) {
-  if (name.empty()) return {};
+/// The line where the routine begins that is to be seen first, with the remarks above it.
+std::optional<std::size_t> wanted_routine(const std::vector<ListingRow>& rows, const LineMarks& marks) {
+  const std::string& name = marks.routine;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::string& text = rows[i].text;
-    if (!text.empty() && text[0] != ' ' && text[0] != '/' && text.find(' ' + name + '(') != std::string::npos)
+    if (name.empty() && marks.within > 0 && rows[i].number == marks.within) return routine_of(rows, i);
+    if (!name.empty() && !text.empty() && text[0] != ' ' && text[0] != '/' &&
+        text.find(' ' + name + '(') != std::string::npos)
       return routine_of(rows, i);
   }
   return {};
@@ -219,7 +221,7 @@ std::optional<ListingStep> listing_code(const std::vector<ListingRow>& rows, boo
     const auto target = static_cast<std::size_t>(first - rows.begin());
     const bool alone = marks.first > 0 || marks.marked || !marks.faults.empty();
     const std::size_t head = alone || first == rows.end() ? target : routine_of(rows, target);
-    const auto named = marks.marked ? std::nullopt : routine_named(rows, marks.routine);
+    const auto named = marks.marked ? std::nullopt : wanted_routine(rows, marks);
     LookedFor places;
     int first_seen = 0;
     if (!marks.remark.empty()) show_paragraph(marks.remark, {Face::small, true});

@@ -17,6 +17,7 @@ struct LineMarks {
   std::string elsewhere{};              ///< what it says of no line that is shown
   int first = 0;                        ///< number of the line to look at first; 0 = as the rest says
   std::string routine{};                ///< name of the one to look at first; empty = that of the first values
+  int within = 0;                       ///< number of a line whose routine is looked at first, unless one is named
   std::string remark{};                 ///< above the code, and scrolled with it; may be empty
 };
 

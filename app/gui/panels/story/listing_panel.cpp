@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -92,6 +94,25 @@ std::string asked_routine(const ListingPanelState& state) {
   return listing && state.own.task.lesson == listing->folder ? state.own.task.routine : "";
 }
 
+/// The first routine of these lines that the step's text names, if its name has an underscore: words like "edge" are in
+/// other sentences too. Empty if none is.
+std::string named_routine(const Lesson* lesson, int step, const std::vector<ListingRow>& rows) {
+  if (!lesson || static_cast<std::size_t>(step) >= lesson->steps.size()) return {};
+  for (const TextBlock& block : lesson->steps[static_cast<std::size_t>(step)].blocks) {
+    std::string words = plain_text(block);
+    std::replace_if(
+        words.begin(), words.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)) && c != '_'; },
+        ' ');
+    std::istringstream text(words);
+    for (std::string word; text >> word;)
+      if (word.find('_') != std::string::npos && std::any_of(rows.begin(), rows.end(), [&](const ListingRow& row) {
+            return !row.text.starts_with(' ') && row.text.find(' ' + word + '(') != std::string::npos;
+          }))
+        return word;
+  }
+  return {};
+}
+
 /// The side whose picture and pixel the listing is about: a question about a wrong line is one about that of A, and the
 /// listing of B is the answer.
 Side listed_side(const Session& session, const ListingPanelState& state) {
@@ -134,7 +155,7 @@ std::string colours_text(const Session& session, const ListingPanelState& state,
 }
 
 void colours_line(const std::string& colours) {
-  value_paragraph("colour", colours, {Face::mono});
+  value_paragraph("colour", colours, {Face::mono_small});
   tooltip("The pixel's colour by this listing, and in the picture: red, green and blue, 0 to 255.");
 }
 
@@ -142,7 +163,7 @@ bool toolbar(Session& session, ListingPanelState& state, Side side, bool filled,
   routine_controls(session, state, side, host);
   const bool fill = fill_by_button(filled);
   if (const std::string colours = colours_text(session, state, side); !colours.empty()) {
-    same_line_if_room(text_width(colours), px(16));
+    same_line_if_room(text_width(colours, Face::mono_small), px(16));
     colours_line(colours);
   }
   return fill;
@@ -196,6 +217,10 @@ void ListingPanel::follow_lesson() {
   const Lesson* lesson = shelf_.open();
   const auto step = static_cast<std::size_t>(session_.document().step);
   if (lesson && step < lesson->steps.size()) state_.own.task = {lesson->name, lesson->steps[step].write};
+  // A question for a wrong line is one about its routine, which is known once the line is.
+  const auto right = asks_bug ? questions_.right() : nullptr;
+  state_.marks.within = right ? right->line.number : 0;
+  state_.reveal |= std::exchange(state_.opened_within, state_.marks.within) != state_.marks.within;
 }
 
 void ListingPanel::update() {
@@ -281,9 +306,10 @@ bool ListingPanel::draw(const Context& context) {
     if (const auto message = state.worker.message(); !message.empty()) quiet_text(message);
     return fill;
   }
-  if (!context.headed) ImGui::Spacing();
+  begin_tool_content();
   LineMarks marks = side == Side::a ? state.marks : LineMarks{};
   marks.routine = asked_routine(state);
+  if (marks.routine.empty()) marks.routine = named_routine(shelf_.open(), session.document().step, state.rows);
   if (state.shown_story->listing->watches.empty())
     marks.remark = "No line of this routine reached the pixel: it draws nothing here.";
   const auto stepped = listing_code(state.rows, std::exchange(state.reveal, false), marks);

@@ -29,6 +29,7 @@ struct ListingPanelState {
   std::vector<ListingRow> rows;  ///< of the view
   int instance = -1;             ///< the document's, that the view was made for
   LineMarks marks;               ///< of the listing of A
+  int opened_within = 0;         ///< the line whose routine was scrolled to
 
   ShaderPanelState shaders;
   OwnListingState own;

@@ -300,6 +300,7 @@ void PixelPanel::story() {
   for (const Side side : both_sides)
     state.trees[index_of(side)].follow(stories[index_of(side)], session.selected_event(side));
 
+  begin_tool_content();
   ImGui::BeginChild("story");
   switch (shown) {
   case Shown::both:

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/screen_names.h"
 #include "gui/base/region_names.h"
 #include "gui/widgets/draw.h"
 #include "inspect/guess_text.h"
@@ -131,6 +132,12 @@ bool has_place(const Document& document) {
   return false;
 }
 
+/// A lesson whose step is not about the story has it folded.
+void unfold_story(Session& session) {
+  if (session.document().mode != ScreenMode::lesson || !session.document().layout.stage.empty()) return;
+  session.navigate([](Document& document) { document.layout.stage = story_names::one; });
+}
+
 /// The story helps to find a wrong line.
 bool asks_for_line(const Session& session, const PredictState& state) {
   return state.lesson->asked_beside_text(session) && state.lesson->question()->kind == AskKind::bug;
@@ -216,21 +223,28 @@ void predict_panel(Session& session, PredictState& state) {
                                        : std::string_view(!ready ? "The story is being prepared."
                                                           : open ? "Choose an answer first."
                                                                  : ""),
-             })) {
+             }) &&
+      state.lesson->place.settled()) {
     state.judgement = judge(state.question, state.guess, *story, session.scene());
     state.answered = true;
     if (!state.words.empty())
       state.lesson->take(session, guess_text(state.question, state.guess, session.scene()), state.judgement);
+    else
+      unfold_story(session);
     ++state.asked;
     state.points += state.judgement.points;
   }
   ImGui::SameLine();
   const bool of_lesson = !state.words.empty();
   if (button("skip", of_lesson ? "Skip" : "Show me", Emphasis::quiet,
-             {.tooltip = "Shows the story without an answer; no points."})) {
+             {.tooltip = "Shows the story without an answer; no points."}) &&
+      state.lesson->place.settled()) {
     state.judgement = {};
     state.answered = true;
-    if (!state.words.empty()) state.lesson->take(session, "", {});
+    if (!state.words.empty())
+      state.lesson->take(session, "", {});
+    else
+      unfold_story(session);
   }
   if (state.on) {
     same_line_if_room(button_width("Stop asking"));

@@ -246,6 +246,7 @@ bool VertexPanel::draw(const Context& context) {
     quiet_text("Computed by this program in double precision. The graphics driver does not report its own positions, "
                "which may differ in the last digits.");
   ImGui::Spacing();
+  begin_tool_content();
   ImGui::BeginChild("chain");
   card(0, "Film", "Its model on the way from space to space.",
        [&] { vertex_film(session_, film_, now.id, px(card_width)); });

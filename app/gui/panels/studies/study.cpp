@@ -266,6 +266,7 @@ bool StudyFrame::draw_part(bool filled) {
   seen_.now();
   follow(session_);
   const bool fill = toolbar(session_, filled);
+  begin_tool_content();
   status_line(session_);
   // Where the lines above leave too little, the panel is scrolled.
   ImGui::BeginChild("result", {0, std::max(ImGui::GetContentRegionAvail().y, px(least_result))});
