@@ -6,11 +6,11 @@
 #include <array>
 #include <string_view>
 
+#include "options/difference_words.h"
 #include "options/option.h"
 #include "options/renderer_kind.h"
 #include "render/story/names.h"
 #include "study/features.h"
-#include "study/setting_words.h"
 
 namespace ps {
 namespace {
