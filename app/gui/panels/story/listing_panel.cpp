@@ -113,10 +113,10 @@ std::string named_routine(const Lesson* lesson, int step, const std::vector<List
   return {};
 }
 
-/// The side whose picture and pixel the listing is about: a question about a wrong line is one about that of A, and the
-/// listing of B is the answer.
+/// The side whose picture and pixel the listing is about: a question about a wrong line is one about that of A, where
+/// the line is marked afterwards, and the listing of B is the answer.
 Side listed_side(const Session& session, const ListingPanelState& state) {
-  return state.marks.answer ? Side::a : inspected_side(session);
+  return state.marks.answer || state.marks.marked ? Side::a : inspected_side(session);
 }
 
 /// Which routine is shown, its picture, and copies of it.
