@@ -54,7 +54,10 @@ Intersection closest_intersection(const BookScene& scene, const Vec3d& origin, c
   return closest;
 }
 
-Vec3d reflect_ray(const Vec3d& ray, const Vec3d& normal) { return normal * (2 * dot(normal, ray)) - ray; }
+Vec3d reflect_ray(const Vec3d& ray, const Vec3d& normal) {
+  const Vec3d along = normal * (2 * dot(normal, ray));
+  return along - ray;
+}
 
 double compute_lighting(const BookScene& scene, const Vec3d& point, const Vec3d& normal, const Vec3d& view,
                         double specular) {
