@@ -39,7 +39,7 @@ TEST(Presenter, AsksWithChoicesAndRevealsByTheKeyThatReadsOn) {
 
 TEST(Presenter, HasTheStepsToolBesideThePictures) {
   expect_plays("tool", "key F5\nwait idle\nexpect listing/values > 0\nexpect window/pictures-share > 14\n" + fits,
-               "cgfs_02_basic_ray_tracing/3");
+               "cgfs_02_basic_ray_tracing/7");
 }
 
 /// Whether it ends like a sentence, or as what comes before a list or a formula.

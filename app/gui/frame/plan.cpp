@@ -60,8 +60,10 @@ float wide_column(PlanInput in) {
   return std::floor(std::max(text, std::min(narrowest_text * in.scale, width * 0.4f)));
 }
 
-/// The tool has what it needs of the width, text and tool one after the other; the pictures have the rest.
-LessonPlan plan_shared(const PlanInput& in) {
+/// The tool has what it needs of the width, text and tool one after the other; the pictures have the rest, which does
+/// not depend on their shape.
+LessonPlan plan_shared(PlanInput in) {
+  in.picture = {1, 1};
   const Area& area = in.area;
   const float most = area.width() - room_for(in, 1, beside_share + 4 * spare).width;
   const float end =
