@@ -6,7 +6,7 @@
 
 #include "base/check.h"
 #include "document/number_list.h"
-#include "inspect/vertex_chain.h"
+#include "inspect/vertex_uses.h"
 #include "record/value_text.h"
 
 namespace ps::cli {
@@ -52,7 +52,22 @@ Json rows(const Mat4d& m) {
   return json;
 }
 
-void print_json(const VertexChain& chain) {
+Json use_json(const CornerUse& use) {
+  const FaceCorner& corner = use.face.corners[static_cast<std::size_t>(use.corner)];
+  Json json{{"triangle", use.triangle}, {"corner", use.corner}, {"faces-away", corner.faces_away}};
+  if (corner.normal) json["normal"] = list(*corner.normal);
+  if (corner.uv) json["uv"] = list(*corner.uv);
+  const FaceData& face = use.face;
+  for (const auto& [key, name] : {std::pair{"file-object", &face.object},
+                                  {"file-group", &face.group},
+                                  {"material", &face.material},
+                                  {"model-file", &face.file}})
+    if (!name->empty()) json[key] = *name;
+  if (face.line > 0) json["face-line"] = face.line;
+  return json;
+}
+
+void print_json(const VertexChain& chain, const VertexUses& uses) {
   Json json{
       {"object", chain.id.object},          {"name", chain.object_name},        {"vertex", chain.id.vertex},
       {"model", list(chain.model)},         {"to-world", rows(chain.to_world)}, {"world", list(chain.world)},
@@ -60,6 +75,9 @@ void print_json(const VertexChain& chain) {
       {"clip", list(chain.clip)},           {"inside", chain.inside},           {"viewport", list(chain.viewport)},
       {"centred", list(chain.centred)},     {"canvas", list(chain.canvas)}};
   for (const PlaneDistance& plane : chain.planes) json["planes"][std::string(plane.plane)] = plane.distance;
+  json["triangles-at-vertex"] = uses.count;
+  json["triangles"] = Json::array();
+  for (const CornerUse& use : uses.first) json["triangles"].push_back(use_json(use));
   fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
@@ -68,7 +86,8 @@ void print_json(const VertexChain& chain) {
 void print_vertex(const Document& document, const PixelStory& story, const VertexArguments& arguments, bool json) {
   const VertexChain chain = vertex_chain(document.scene, view_of(document), document.a.settings,
                                          picked_vertex(document, story, arguments.vertex), edits_of(arguments));
-  if (json) return print_json(chain);
+  const VertexUses uses = vertex_uses(document.scene, chain.id);
+  if (json) return print_json(chain, uses);
   fmt::print("vertex {} of {} (object {})\n\n", chain.id.vertex, chain.object_name, chain.id.object);
   fmt::print("model        {}\n", vector_text(chain.model));
   print_matrix(chain.to_world);
@@ -84,6 +103,8 @@ void print_vertex(const Document& document, const PixelStory& story, const Verte
   fmt::print("viewport     {}\n", vector_text(chain.viewport));
   fmt::print("from centre  {}\n", vector_text(chain.centred));
   fmt::print("canvas       {}\n", vector_text(chain.canvas));
+  for (const CornerUse& use : uses.first) fmt::print("{}\n", use_text(use));
+  if (uses.count > uses.first.size()) fmt::print("and {} more triangles\n", uses.count - uses.first.size());
 }
 
 }  // namespace ps::cli

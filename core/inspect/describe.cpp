@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "record/event_fields.h"
+#include "inspect/face_data.h"
 #include "record/event_keys.h"
 #include "record/value_text.h"
 #include "render/story/light_words.h"
@@ -14,6 +14,13 @@
 
 namespace ps {
 namespace {
+
+/// A remark about a triangle that a file has a line for, or whose normals face away; empty for all else.
+std::string face_remark(const Scene& scene, const PixelId& id) {
+  const auto face = face_data(scene, id);
+  const std::string words = !face ? "" : face->line > 0 ? face_words(*face) : facing_text(*face);
+  return words.empty() ? "" : "; " + words;
+}
 
 struct Describer {
   const Scene& scene;
@@ -50,8 +57,8 @@ struct Describer {
     return text;
   }
   std::string operator()(const HitEvent& e) const {
-    return fmt::format("hit {} at t = {}, point {}", primitive_name(scene, e.id), number_text(e.t),
-                       vector_text(e.point));
+    return fmt::format("hit {} at t = {}, point {}{}", primitive_name(scene, e.id), number_text(e.t),
+                       vector_text(e.point), face_remark(scene, e.id));
   }
   std::string operator()(const MissEvent& e) const {
     return fmt::format("no hit: background {}", vector_text(e.background));
@@ -159,11 +166,11 @@ struct Describer {
     if (const std::string behind = behind_camera_text(e); !behind.empty()) text += fmt::format(" ({})", behind);
     switch (e.depth) {
     case FragmentEvent::Depth::passed:
-      return text + ": passed the depth test";
+      return text + ": passed the depth test" + face_remark(scene, e.id);
     case FragmentEvent::Depth::failed:
       return text + ": failed the depth test" + depth_against_text(e);
     case FragmentEvent::Depth::off:
-      return text + ": depth test off";
+      return text + ": depth test off" + face_remark(scene, e.id);
     }
     return text;
   }
@@ -273,7 +280,7 @@ std::string describe(const Event& event, const Scene& scene) { return std::visit
 
 std::vector<FieldText> event_table(const Event& event, const Scene& scene) {
   std::vector<FieldText> table;
-  for (const EventField& field : event_fields(event.data)) {
+  for (const EventField& field : event_fields(event.data, scene)) {
     table.push_back({field_label(field), std::visit(ValueText{scene, number_text}, field.value),
                      std::visit(ValueText{scene, exact_number_text}, field.value)});
   }

@@ -17,7 +17,7 @@ struct FieldText {
 /// An event as a line of text: "light 2 (point): blocked by sphere 3 (blue)". Names come from the scene.
 std::string describe(const Event& event, const Scene& scene);
 
-/// All that is known about an event, as names and values.
+/// All that is known about an event, as names and values: the fields of event_fields() of inspect/face_data.h.
 std::vector<FieldText> event_table(const Event& event, const Scene& scene);
 
 }  // namespace ps

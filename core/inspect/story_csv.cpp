@@ -2,8 +2,8 @@
 
 #include "base/csv.h"
 #include "inspect/describe.h"
+#include "inspect/face_data.h"
 #include "inspect/story_markdown.h"
-#include "record/event_fields.h"
 #include "record/value_text.h"
 #include "render/story/names.h"
 
@@ -74,7 +74,8 @@ std::string story_csv(const PixelStory& story, const Scene& scene, const Provena
     rows.parent = event.parent < 0 ? "" : std::to_string(event.parent);
     rows.kind = event_kind(event.data);
     rows.add("text", describe(event, scene));
-    for (const EventField& field : event_fields(event.data)) std::visit(ValueRows{scene, rows, field.key}, field.value);
+    for (const EventField& field : event_fields(event.data, scene))
+      std::visit(ValueRows{scene, rows, field.key}, field.value);
   }
   rows.part = "ledger";
   rows.kind.clear();

@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "inspect/describe.h"
+#include "inspect/face_data.h"
 #include "math/conventions.h"
 #include "options/choice_key.h"
-#include "record/event_fields.h"
 #include "render/provenance_json.h"
 #include "render/story/names.h"
 #include "textbook/trace_listing.h"
@@ -48,7 +48,7 @@ struct WatchJson {
 
 Json event_json(const Event& event, const Scene& scene) {
   Json json{{"kind", event_kind(event.data)}, {"parent", event.parent}, {"text", describe(event, scene)}};
-  for (const EventField& field : event_fields(event.data))
+  for (const EventField& field : event_fields(event.data, scene))
     json[std::string(field.key)] = std::visit(ValueJson{scene}, field.value);
   return json;
 }

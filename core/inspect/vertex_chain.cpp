@@ -189,16 +189,23 @@ std::vector<ProjectedVertex> projected_vertices(const Scene& scene, const View& 
   return seen;
 }
 
-PixelId shown_triangle(const PixelStory& story) {
-  PixelId shown;
-  for (const Event& event : story.events) {
-    const auto* fragment = std::get_if<FragmentEvent>(&event.data);
-    if (fragment && fragment->depth != FragmentEvent::Depth::failed) shown = fragment->id;
+int event_of_shown(const PixelStory& story) {
+  int shown = -1, first_hit = -1;
+  for (std::size_t i = 0; i < story.events.size(); ++i) {
+    const EventData& data = story.events[i].data;
+    const auto* fragment = std::get_if<FragmentEvent>(&data);
+    if (fragment && fragment->depth != FragmentEvent::Depth::failed) shown = static_cast<int>(i);
+    if (first_hit < 0 && std::holds_alternative<HitEvent>(data)) first_hit = static_cast<int>(i);
   }
-  if (shown.object >= 0) return shown;
-  for (const Event& event : story.events)
-    if (const auto* hit = std::get_if<HitEvent>(&event.data)) return hit->id;
-  return shown;
+  return shown >= 0 ? shown : first_hit;
+}
+
+PixelId shown_triangle(const PixelStory& story) {
+  const int event = event_of_shown(story);
+  if (event < 0) return {};
+  const EventData& data = story.events[static_cast<std::size_t>(event)].data;
+  if (const auto* fragment = std::get_if<FragmentEvent>(&data)) return fragment->id;
+  return std::get<HitEvent>(data).id;
 }
 
 void add_vertex(const VertexChain& chain, const Camera& camera, SpaceModel& model) {

@@ -76,7 +76,9 @@ struct ProjectedVertex {
 std::vector<ProjectedVertex> projected_vertices(const Scene& scene, const View& view, const Settings& settings,
                                                 std::size_t most);
 
-/// The triangle whose colour the story's pixel has: that of the last fragment that passed, or of the eye ray's hit.
+/// The event that gave the story's pixel its colour: the last fragment that passed, or the eye ray's hit; -1 = neither.
+int event_of_shown(const PixelStory& story);
+/// The triangle that it is about.
 PixelId shown_triangle(const PixelStory& story);
 
 /// The vertex in space, where it is in its model, and its line of sight through the image.

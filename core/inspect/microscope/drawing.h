@@ -74,8 +74,12 @@ struct MicroTable {
 
 /// What the kernel computes for a triangle at the sample point. First what each vertex has: edge values with who owns
 /// ties, weights on the screen and in space. Then depth and texture coordinates by both kinds of weights, and the depth
-/// that the depth buffer compares.
+/// that the depth buffer compares. For a triangle of a model, what its vertices carry, as face_tables() has it.
 std::vector<MicroTable> triangle_tables(const MicroTriangle& triangle);
+
+/// Normals in world space and texture coordinates of the vertices, and those of the point; empty where there are
+/// none.
+std::vector<MicroTable> face_tables(const FacePoint& point);
 
 /// The triangle whose numbers are shown: `selected` where there is such a one, else the one in front, else the first;
 /// -1 if there is none.

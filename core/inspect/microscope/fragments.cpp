@@ -167,6 +167,7 @@ class FragmentsIn final : public Microscope::Fragments {
     ps::MicroTriangle out;
     out.id = event_id(setup);
     out.name = name_of(setup);
+    out.face = face_data(*inputs_.scene, out.id);
     out.edges = edges_in_pixels(values, grid.subpixel_bits);
     out.back_face = setup.triangle->back_face;
     out.z = static_cast<double>(fragment.z);

@@ -27,6 +27,14 @@ double draw_table(Painter& painter, const MicroTable& table, double y) {
   return y + line_height;
 }
 
+/// Writes the words about a face, if it has some, and returns where they end.
+double draw_face(Painter& painter, const std::optional<FaceData>& face, double y) {
+  const std::string words = face ? face_words(*face) : std::string();
+  if (words.empty()) return y;
+  painter.text({text_left, y + line_height}, words, {});
+  return y + line_height;
+}
+
 }  // namespace
 
 std::string micro_svg(const Microscope& microscope, const MicroReading& reading, int selected) {
@@ -44,9 +52,14 @@ std::string micro_svg(const Microscope& microscope, const MicroReading& reading,
   if (const int shown = shown_triangle(reading, selected); shown >= 0) {
     const MicroTriangle& triangle = reading.triangles[static_cast<std::size_t>(shown)];
     svg.text({text_left, y}, fmt::format("{}  {}", shown + 1, triangle.name), {.lettering = Lettering::strong_label});
+    y = draw_face(svg, triangle.face, y);
     for (const MicroTable& table : triangle_tables(triangle)) y = draw_table(svg, table, y + line_height);
   }
   if (reading.ray) svg.text({text_left, y}, reading.ray->verdict, {}), y += line_height;
+  if (reading.face) {
+    y = draw_face(svg, reading.face->face, y);
+    for (const MicroTable& table : face_tables(*reading.face)) y = draw_table(svg, table, y + line_height);
+  }
   if (!reading.texture) return svg.finish();
   double x = text_left;
   for (const MicroTexels& level : reading.texture->levels) {

@@ -125,16 +125,11 @@ void Microscope::find_ray_samples(Prepared& prepared, Progress& progress) {
 /// story does not have.
 void Microscope::find_driver_sample(Prepared& prepared, Progress& progress) {
   const PixelStory story = inspect(scene_, view_, settings_, pixel_, prepared, progress);
-  int shown = -1;
-  for (int i = 0; i < static_cast<int>(story.events.size()); ++i) {
-    const auto* fragment = std::get_if<FragmentEvent>(&story.events[static_cast<std::size_t>(i)].data);
-    if (!fragment) continue;
-    if (fragment->samples > 1) return;
-    if (fragment->depth != FragmentEvent::Depth::failed) shown = i;
-  }
+  for (const Event& event : story.events)
+    if (const auto* fragment = std::get_if<FragmentEvent>(&event.data); fragment && fragment->samples > 1) return;
   const PixelId seen = shown_triangle(story);
   samples_.push_back({make_viewport<double>(view_, settings_).sample, seen.object >= 0,
-                      seen.object < 0 ? nothing_seen : primitive_name(scene_, seen), shown});
+                      seen.object < 0 ? nothing_seen : primitive_name(scene_, seen), event_of_shown(story)});
 }
 
 /// A line paints whole pixels, so that no point of the pixel shows what lies below it.
@@ -167,6 +162,8 @@ MicroReading Microscope::read(const Vec2d& point, Prepared& prepared, Progress& 
   const EnlargedView narrow = enlarge(view_, settings_, Vec2d(pixel_) + point - ray_window / 2, ray_window, 1);
   reading.ray = inspect(scene_, narrow.view, narrow.settings, {0, 0}, prepared, progress);
   const auto& events = reading.ray->events;
+  if (const int event = event_of_shown(*reading.ray); event >= 0)
+    reading.face = face_point(events[static_cast<std::size_t>(event)].data, scene_);
   if (draws_fragments(settings_.renderer)) {
     const PixelId seen = shown_triangle(*reading.ray);
     reading.seen = seen.object < 0 ? nothing_seen : primitive_name(scene_, seen);

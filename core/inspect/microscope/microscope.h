@@ -8,6 +8,7 @@
 #include "frame/prepared.h"
 #include "frame/view.h"
 #include "image/image.h"
+#include "inspect/face_data.h"
 #include "inspect/microscope/surroundings.h"
 #include "record/story.h"
 #include "scene/scene.h"
@@ -33,6 +34,7 @@ struct MicroTriangle {
   double z = 0;                        ///< camera space, as the kernel has it
   double z_2d = 0;                     ///< the vertices' z by the weights of the screen: not where the surface is
   std::optional<Vec2d> uv, uv_2d;      ///< perspective-correct, and by the weights of the screen
+  std::optional<FaceData> face;        ///< of a triangle of a model
   std::optional<double> depth;         ///< encoded, as the depth buffer compares it; nothing where it compares none
   bool covered = false;
   bool cut_out = false;  ///< an opacity map leaves nothing of it at the point
@@ -67,6 +69,7 @@ struct MicroReading {
   std::vector<MicroTriangle> triangles;  ///< in drawing order
   int front = -1;                        ///< of them, the one that would be seen at the point; -1 = none
   std::optional<PixelStory> ray;        ///< of the ray through the point (ray tracer), or of a pixel around it (driver)
+  std::optional<FacePoint> face;        ///< of the triangle that `ray` shows, if it is one of a model
   std::optional<MicroTexture> texture;  ///< read by the triangle in front, or where the ray hits
   std::string seen;                     ///< "triangle 7 of cube 1", "an edge of cube 1", "the background"
 };

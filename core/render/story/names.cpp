@@ -23,6 +23,14 @@ std::string material_suffix(const Scene& scene, const Object& object) {
   return name.empty() ? "" : fmt::format(" ({})", name);
 }
 
+/// The name of the model's part that a triangle belongs to, as its file has it: that of the object, else of the group.
+/// Empty where it says no more than the model's own name.
+std::string part_suffix(const Mesh& mesh, std::size_t triangle, const std::string& model) {
+  const std::string& object = mesh.origins.object_of(triangle);
+  const std::string& part = object.empty() || object == mesh.name ? mesh.origins.group_of(triangle) : object;
+  return part.empty() || part == mesh.name || part == model ? "" : fmt::format(" ({})", part);
+}
+
 }  // namespace
 
 std::string object_name(const Scene& scene, int object) {
@@ -49,8 +57,11 @@ std::string primitive_name(const Scene& scene, const PixelId& id) {
     return fmt::format("part {} ({}) of {}", id.triangle, form_name(parts[static_cast<std::size_t>(id.triangle)]->form),
                        name);
   }
-  if (id.triangle < 0 || !std::holds_alternative<Instance>(shape)) return name;
-  return fmt::format("triangle {} of {}", id.triangle, name);
+  const auto* instance = std::get_if<Instance>(&shape);
+  if (id.triangle < 0 || !instance) return name;
+  const Mesh& mesh = *scene.geometry->meshes.at(instance->mesh);
+  return fmt::format("triangle {} of {}{}", id.triangle, name,
+                     part_suffix(mesh, static_cast<std::size_t>(id.triangle), name));
 }
 
 std::string line_name(const Scene& scene, const LineEvent& line) {

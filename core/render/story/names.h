@@ -14,8 +14,8 @@ namespace ps {
 /// "sphere 2 (green)", "cube 1", or the object's own name where the scene file gives one. `object` is an index into
 /// Geometry::objects; one that the scene does not have is named by its number.
 std::string object_name(const Scene& scene, int object);
-/// The object, or "triangle 7 of cube 1" where it is made of triangles. The object alone for an id without a
-/// triangle; "nothing" for an empty id.
+/// The object, or "triangle 7 of cube 1" where it is made of triangles: "triangle 7 of robot (Head)" where its model's
+/// file has names for its parts. The object alone for an id without a triangle; "nothing" for an empty id.
 std::string primitive_name(const Scene& scene, const PixelId& id);
 /// "an edge of triangle 7 of cube 1", "a vertex of ..." or "a line", which lies on the canvas.
 std::string line_name(const Scene& scene, const LineEvent& line);

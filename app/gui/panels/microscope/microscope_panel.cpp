@@ -210,6 +210,11 @@ void numbers_table(const MicroTable& table) {
   ImGui::EndTable();
 }
 
+/// Names and line of the face in the model's file, and a warning where its normals are turned.
+void face_text(const FaceData& face) {
+  if (const std::string words = face_words(face); !words.empty()) value_paragraph("face", words);
+}
+
 void ray_text(const PixelStory& story) {
   const bool ray = sends_rays(story.renderer);
   value_paragraph("ray", (ray ? "A ray through the point: " : "A small pixel around the point: ") + story.verdict);
@@ -249,11 +254,17 @@ void readings(Session& session, MicroscopePanelState& state, const PixelStory* s
   if (const auto& around = state.shown->microscope->surroundings())
     surroundings_view(session, *around, state.shown->request.pixel);
   if (reading.ray) ray_text(*reading.ray);
+  if (reading.face) {
+    face_text(reading.face->face);
+    for (const MicroTable& table : face_tables(*reading.face)) numbers_table(table);
+  }
   ImGui::Spacing();
   triangle_list(session, state, reading, story);
-  if (const int chosen = shown_triangle(reading, state.chosen); chosen >= 0)
-    for (const MicroTable& table : triangle_tables(reading.triangles[static_cast<std::size_t>(chosen)]))
-      numbers_table(table);
+  if (const int chosen = shown_triangle(reading, state.chosen); chosen >= 0) {
+    const MicroTriangle& triangle = reading.triangles[static_cast<std::size_t>(chosen)];
+    if (triangle.face) face_text(*triangle.face);
+    for (const MicroTable& table : triangle_tables(triangle)) numbers_table(table);
+  }
   if (reading.texture) texel_views(state, *reading.texture, px(170));
   if (!reading.triangles.empty()) {
     ImGui::Spacing();

@@ -11,7 +11,7 @@
 
 #include "gui/widgets/draw.h"
 #include "inspect/describe.h"
-#include "record/event_fields.h"
+#include "inspect/face_data.h"
 
 namespace ps::gui {
 namespace {
@@ -89,8 +89,9 @@ std::string value_then(const std::vector<FieldText>& before, const FieldText& no
 
 std::optional<ClickedNumber> event_numbers(const Event& event, const Scene& scene, const Event* before) {
   std::optional<ClickedNumber> clicked;
-  const auto fields = event_fields(event.data);
-  const auto texts = event_table(event, scene);  // the same fields in words
+  const auto fields = event_fields(event.data, scene);
+  const std::size_t own = event_fields(event.data).size();  // those behind them are the model's, not the kernel's
+  const auto texts = event_table(event, scene);             // the same fields in words
   const auto then = before ? event_table(*before, scene) : std::vector<FieldText>{};
   const float left = px(6), room = ImGui::GetContentRegionMax().x - left;  // the tree's indent would cost too much room
   float names = 0;
@@ -135,6 +136,10 @@ std::optional<ClickedNumber> event_numbers(const Event& event, const Scene& scen
         place(left + names + column * static_cast<float>(k + 1) - width);
         show_text(text);
         farthest = std::max(farthest, ImGui::GetItemRectMax().x);
+        if (i >= own) {
+          tooltip(full_number((*numbers)[k]));
+          continue;
+        }
         const bool vector = numbers->size() > 1;
         controls().record(fmt::format("number/{}{}", fields[i].key, vector ? fmt::format(".{}", k) : ""), text);
         if (ImGui::IsItemHovered()) {

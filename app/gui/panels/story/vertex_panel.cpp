@@ -67,8 +67,15 @@ void card(int number, const char* title, const char* says, Body&& body) {
   ImGui::EndGroup();
 }
 
-void model_card(const VertexChain& now, const VertexChain& plain) {
-  card(1, "model", "Position in the model (CGFS ch. 10).", [&] { result("model", now.model, plain.model); });
+void model_card(const VertexChain& now, const VertexChain& plain, const VertexUses& uses) {
+  card(1, "model", "Position in the model (CGFS ch. 10).", [&] {
+    result("model", now.model, plain.model);
+    const FontScope font(Face::small);
+    for (std::size_t i = 0; i < uses.first.size(); ++i)
+      value_text(fmt::format("use/{}", i), in_lines(use_text(uses.first[i]), px(card_width)));
+    if (uses.count > uses.first.size())
+      quiet_text(fmt::format("and {} more triangles", uses.count - uses.first.size()));
+  });
 }
 
 template <class Apply>
@@ -216,6 +223,16 @@ std::optional<VertexId> VertexPanel::followed_vertex() {
   return nearest_;
 }
 
+const VertexUses& VertexPanel::uses_of(const VertexId& vertex) {
+  const Scene& scene = session_.scene();
+  if (used_vertex_ != vertex || used_geometry_ != scene.geometry.revision()) {
+    uses_ = vertex_uses(scene, vertex);
+    used_vertex_ = vertex;
+    used_geometry_ = scene.geometry.revision();
+  }
+  return uses_;
+}
+
 const VertexChain* VertexPanel::followed_chain() {
   const auto vertex = followed_vertex();
   chain_.reset();
@@ -250,7 +267,7 @@ bool VertexPanel::draw(const Context& context) {
   ImGui::BeginChild("chain");
   card(0, "Film", "Its model on the way from space to space.",
        [&] { vertex_film(session_, film_, now.id, px(card_width)); });
-  model_card(now, plain);
+  model_card(now, plain, uses_of(now.id));
   world_card(session_, now, plain);
   camera_card(now, plain);
   clip_card(session_, now, plain);

@@ -4,7 +4,7 @@
 
 #include "gui/panels/panel.h"
 #include "gui/panels/story/vertex_film.h"
-#include "inspect/vertex_chain.h"
+#include "inspect/vertex_uses.h"
 
 namespace ps::gui {
 
@@ -20,6 +20,8 @@ class VertexPanel final : public Panel {
   const VertexChain* followed_chain();
 
  private:
+  /// The triangles at the vertex, looked for once.
+  const VertexUses& uses_of(const VertexId& vertex);
   /// The vertex that is followed: the one that the document keeps, else the one next to the picked pixel.
   std::optional<VertexId> followed_vertex();
 
@@ -29,6 +31,9 @@ class VertexPanel final : public Panel {
   std::optional<VertexChain> chain_;         ///< of the vertex that is followed, with the document's edits
   std::optional<VertexChain> plain_;         ///< without them
   std::string error_;
+  std::optional<VertexId> used_vertex_;  ///< that `uses_` belong to, in that geometry
+  std::uint64_t used_geometry_ = 0;
+  VertexUses uses_;
   VertexFilm film_;
 };
 
