@@ -29,9 +29,10 @@ ObjModel load_obj(const std::filesystem::path& path);
 /// The same for a text at hand; material files and textures are looked for beside `path`.
 ObjModel parse_obj(std::string_view text, const std::filesystem::path& path);
 
-/// A scene of one model alone: framed whole by a camera in front of it that looks along -z with y up, with ambient
-/// light of 0.3 and a directional key light of 0.7 from the upper right. A flat model that would be seen from its edge
-/// is looked at from its front side instead. A warning says if no face is in view, or backs alone.
+/// A scene of one model alone: framed whole by a camera in front of it (+z), to its right and above it (+y is up), with
+/// ambient light of 0.3 and a directional key light of 0.7 from the upper right. A flat model is looked at straight
+/// along -z, or, where that would show its edge, from its front side. A warning says if no face is in view, or backs
+/// alone.
 Scene load_obj_scene(const std::filesystem::path& path);
 
 inline constexpr std::uintmax_t max_obj_bytes = std::uintmax_t{1} << 30;

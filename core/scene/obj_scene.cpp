@@ -11,29 +11,33 @@ namespace {
 
 /// A model in a unit sphere: where its surface faces.
 struct Facing {
-  double area = 0;                  ///< sum over all triangles, as are the others
-  double seen_front = 0, seen = 0;  ///< of it along -z: from the front sides, and from any
-  double volume = 0, turned = 0;    ///< signed, as seen from the centre; and its parts without sign
-  Vec3d sum{0, 0, 0};               ///< of the normals times the area
-  Mat3<double> squares{0};          ///< of the normals' products times the area
+  double area = 0;                ///< sum over all triangles, as are the others
+  double volume = 0, turned = 0;  ///< signed, as seen from the centre; and its parts without sign
+  Vec3d sum{0, 0, 0};             ///< of the normals times the area
+  Mat3<double> squares{0};        ///< of the normals' products times the area
 };
 
-Facing facing_of(const Mesh& mesh, const BoundingSphere& bounds) {
-  Facing facing;
+/// Calls `take` with a vertex and the normal of each triangle that has an area, which is the normal's length.
+template <class Take>
+void each_normal(const Mesh& mesh, const BoundingSphere& bounds, Take take) {
   const auto place = [&](std::uint32_t i) { return (mesh.positions[i] - bounds.centre) / bounds.radius; };
   for (const MeshTriangle& triangle : mesh.triangles) {
     const Vec3d a = place(triangle.position[0]);
     const Vec3d normal = cross(place(triangle.position[1]) - a, place(triangle.position[2]) - a) / 2.0;
+    if (dot(normal, normal) > 0) take(a, normal);
+  }
+}
+
+Facing facing_of(const Mesh& mesh, const BoundingSphere& bounds) {
+  Facing facing;
+  each_normal(mesh, bounds, [&](const Vec3d& a, const Vec3d& normal) {
     const double area = std::sqrt(dot(normal, normal));
-    if (!(area > 0)) continue;
     facing.area += area;
-    facing.seen += std::abs(normal.z);
-    facing.seen_front += std::max(normal.z, 0.0);
     facing.volume += dot(a, normal);
     facing.turned += std::abs(dot(a, normal));
     facing.sum += normal;
     facing.squares += glm::outerProduct(normal, normal / area);
-  }
+  });
   return facing;
 }
 
@@ -50,9 +54,10 @@ Vec3d main_normal(Mat3<double> squares) {
   return unit_of(squares[longest]);
 }
 
-/// Where the camera stands, from the model: in front of it (+z), unless it is flat and would be seen from its edge.
+/// Where the camera stands, from the model: in front of it (+z), to its right and above, so that three sides of a box
+/// are seen; straight in front of a flat one, unless that would show its edge.
 Vec3d viewing_side(const Mesh& mesh, const BoundingSphere& bounds, const Facing& facing) {
-  const Vec3d front{0, 0, 1};
+  const Vec3d front{0, 0, 1}, three_quarter = unit_of(Vec3d{0.55, 0.4, 0.8});
   Vec3d normal = main_normal(facing.squares);
   double low = 1, high = -1;
   for (const MeshTriangle& triangle : mesh.triangles) {
@@ -64,7 +69,8 @@ Vec3d viewing_side(const Mesh& mesh, const BoundingSphere& bounds, const Facing&
   }
   constexpr double thin = 0.2;     // of a diameter of 2
   constexpr double edge_on = 0.2;  // sine of the angle at which it is seen
-  if (high - low > thin || std::abs(normal.z) > edge_on) return front;
+  if (high - low > thin) return three_quarter;
+  if (std::abs(normal.z) > edge_on) return front;
   // From the side of its fronts; if it has as many there as here, from above, from the right, or from the front.
   constexpr double decided = 0.01;
   double side = dot(facing.sum, normal);
@@ -73,15 +79,19 @@ Vec3d viewing_side(const Mesh& mesh, const BoundingSphere& bounds, const Facing&
 }
 
 /// Why the model is not visible in its default view; empty if it is.
-std::string view_fault(const Facing& facing, bool from_front) {
+std::string view_fault(const Mesh& mesh, const BoundingSphere& bounds, const Facing& facing, const Vec3d& side) {
   if (!(facing.area > 0)) return "no triangle of the model has an area, so nothing is in view";
+  double seen = 0, seen_front = 0;
+  each_normal(mesh, bounds, [&](const Vec3d&, const Vec3d& normal) {
+    seen += std::abs(dot(normal, side));
+    seen_front += std::max(dot(normal, side), 0.0);
+  });
   constexpr double edges_alone = 1e-3;
-  if (from_front && facing.seen < edges_alone * facing.area)
+  if (seen < edges_alone * facing.area)
     return "every face of the model is seen from its edge in this view; look at it from another side";
   constexpr double most = 0.9;
   const bool inside_out = facing.volume < -most * facing.turned && std::abs(facing.turned) > 1e-6 * facing.area;
-  const bool only_backs = from_front && facing.seen_front == 0;
-  if (!inside_out && !only_backs) return {};
+  if (!inside_out && seen_front > 0) return {};
   return "the faces run clockwise, so their backs are seen: rasterizers leave them out with backface-culling = on";
 }
 
@@ -91,10 +101,11 @@ Scene load_obj_scene(const std::filesystem::path& path) {
   ObjModel model = load_obj(path);
   const BoundingSphere bounds = bounding_sphere(model.mesh);
   const double radius = bounds.radius > 0 ? bounds.radius : 1;
-  const Facing facing = facing_of(model.mesh, {bounds.centre, radius});
+  const BoundingSphere unit{bounds.centre, radius};
+  const Facing facing = facing_of(model.mesh, unit);
   Vec3d side{0, 0, 1};
-  if (facing.area > 0) side = viewing_side(model.mesh, {bounds.centre, radius}, facing);
-  const std::string fault = view_fault(facing, side == Vec3d{0, 0, 1});
+  if (facing.area > 0) side = viewing_side(model.mesh, unit, facing);
+  const std::string fault = view_fault(model.mesh, unit, facing, side);
 
   Scene scene;
   scene.name = path.string();

@@ -183,7 +183,8 @@ TEST(ObjLoad, GroupsObjectsAndSmoothingAreNoObstacle) {
   EXPECT_EQ(mesh_of(scene).triangles.size(), 2U);
 }
 
-TEST(ObjLoad, IsFramedWholeFromTheFront) {
+/// From the front, the right and above, upright: the face on +z is the largest, and those on +x and +y are seen.
+TEST(ObjLoad, IsFramedWholeFromThreeQuarters) {
   const ModelFolder folder;
   for (const std::string size : {"1e-6", "1", "1e6"}) {
     std::string text;
@@ -192,15 +193,22 @@ TEST(ObjLoad, IsFramedWholeFromTheFront) {
         for (const std::string z : {"-", ""}) text += fmt::format("v {}{} {}{} {}{}\n", x, size, y, size, z, size);
     const ps::Scene scene = folder.load(text + "f 1 2 3\nf 6 7 8\n");
     const ps::Camera& camera = scene.camera;
-    EXPECT_EQ(camera.forward, ps::Vec3d(0, 0, -1));
-    EXPECT_EQ(camera.right, ps::Vec3d(1, 0, 0));
-    EXPECT_EQ(camera.up, ps::Vec3d(0, 1, 0));
+    const ps::Vec3d back = ps::Vec3d(0) - camera.forward;
+    EXPECT_GT(back.z, back.x);
+    EXPECT_GT(back.x, 0.3);
+    EXPECT_GT(back.y, 0.3);
+    EXPECT_NEAR(camera.right.y, 0, 1e-15) << "level";
+    EXPECT_GT(camera.right.x, 0);
+    EXPECT_NEAR(ps::dot(camera.up, back), 0, 1e-15);
+    EXPECT_NEAR(ps::dot(camera.up, camera.right), 0, 1e-15);
+    EXPECT_GT(camera.up.y, 0.8);
     double widest = 0;
     for (const auto& position : mesh_of(scene).positions) {
       const ps::Vec3d seen = position - camera.position;
       const double depth = ps::dot(seen, camera.forward);
       EXPECT_GT(depth, camera.projection_plane_d) << "behind the near limit";
-      widest = std::max({widest, std::abs(seen.x) / depth, std::abs(seen.y) / depth});
+      for (const ps::Vec3d& axis : {camera.right, camera.up})
+        widest = std::max(widest, std::abs(ps::dot(seen, axis)) / depth);
     }
     widest *= camera.projection_plane_d / (camera.viewport_width / 2);
     EXPECT_LT(widest, 1) << "fits";
