@@ -63,6 +63,18 @@ TEST(WindowManager, AWindowWithATitleBarFitsIntoTheDisplay) {
   EXPECT_GT(height, 1100);
 }
 
+// A window manager takes Alt and a drag for itself, but not a plain drag.
+TEST(WindowManager, APlainDragCarriesTheCameraAround) {
+  if (!WindowManager::available()) GTEST_SKIP() << "openbox or xdotool is not installed";
+  const WindowManager manager;
+  ASSERT_TRUE(manager.runs());
+  const Home home("orbit");
+  home.plays("resize 1366x768\nwait idle\nexpect camera/position/x 0\nprint view/a/orbit@middle\n"
+             "wait until undo orbit\nwait idle\nexpect-not camera/position/x 0\nexpect camera/forward/y 0\n",
+             "xdotool mousemove --window $window ${line%,*} ${line#*,}\nsleep 0.3\nxdotool mousedown 1\n"
+             "for i in $(seq 20); do xdotool mousemove_relative 3 0; sleep 0.02; done\nxdotool mouseup 1\n");
+}
+
 /// Turns of the loop, frames laid out and frames drawn within three seconds.
 struct Activity {
   int turns = 0, frames = 0, drawn = 0;

@@ -43,7 +43,7 @@ bool is_ground(std::string_view name) {
 /// What lies where its value puts it: points of a plot, handles of what is in a picture.
 bool is_datum(std::string_view name) {
   return name.find("/handle/") != std::string_view::npos || name.find("/gizmo/") != std::string_view::npos ||
-         name.find("/point/") != std::string_view::npos || name.ends_with("/highlight");
+         name.ends_with("/orbit") || name.find("/point/") != std::string_view::npos || name.ends_with("/highlight");
 }
 
 void add(std::string& list, const std::string& item) { list += (list.empty() ? "" : "; ") + item; }

@@ -7,6 +7,7 @@
 
 #include "gui/base/values.h"
 #include "gui/panels/pictures/difference_scale.h"
+#include "gui/panels/pictures/orbit_ball.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -224,6 +225,7 @@ void difference_view(Session& session, PicturesState& state, const Area& title, 
                             *places.scale);
   }
   picture_handles(session, state, Side::a, area, area, "picture", hovered);
+  draw_orbit_ball(session, state, area, "picture/orbit", hovered);
   if (state.difference.stale && state.difference.mode == DifferenceMode::flip && state.difference.meter->busy())
     return draw_notice(list, area, "measuring FLIP ...");
   if (!state.difference.identical || session.busy()) return;

@@ -2,6 +2,7 @@
 #include <glm/geometric.hpp>
 
 #include "gui/panels/pictures/handles_view.h"
+#include "gui/panels/pictures/orbit_ball.h"
 #include "gui/panels/pictures/picture_gizmo.h"
 #include "gui/panels/pictures/pictures_panel.h"
 #include "gui/platform/tracker.h"
@@ -52,7 +53,7 @@ void turn_by_drag(Session& session, PictureDrag drag, ImVec2 by) {
     session.edit("look around", "look", [&](Document& document) { document.view.camera = next; });
   } else {
     // The scene follows the hand, so the camera goes the other way.
-    const Camera next = orbited(camera, -right, down, up, scene_centre(scene));
+    const Camera next = orbited(camera, right, -down, up, scene_centre(scene));
     session.edit("orbit", "orbit", [&](Document& document) { document.view.camera = next; });
   }
 }
@@ -89,6 +90,12 @@ void drag(Session& session, PicturesState& state, Side side, const Area& area) {
   case PictureDrag::undecided:
     if (std::hypot(io.MousePos.x - state.mouse.drag_from.x, io.MousePos.y - state.mouse.drag_from.y) <= px(click_slack))
       return;
+    if (state.mouse.on_ball) {
+      state.mouse.drag = PictureDrag::orbit;
+      turn_by_drag(session, state.mouse.drag,
+                   {io.MousePos.x - state.mouse.drag_from.x, io.MousePos.y - state.mouse.drag_from.y});
+      return;
+    }
     if (state.mouse.gizmo_drag || state.mouse.grabbed) {
       state.mouse.drag = state.mouse.gizmo_drag ? PictureDrag::gizmo : PictureDrag::handle;
       drag(session, state, side, area);
@@ -142,9 +149,12 @@ void picture_input(Session& session, PicturesState& state, Side side, const Area
     state.mouse.drag_side = under;
     state.mouse.grabbed.reset();
     state.mouse.gizmo_drag.reset();
-    if (state.mouse.drag == PictureDrag::undecided)
+    const auto ball = orbit_ball_area(session, state, area);
+    state.mouse.on_ball = state.mouse.drag == PictureDrag::undecided && ball && ball->contains(io.MousePos);
+    if (state.mouse.drag == PictureDrag::undecided && !state.mouse.on_ball)
       state.mouse.gizmo_drag = take_gizmo(session, state, under, area, io.MousePos);
-    if (state.mouse.drag == PictureDrag::undecided && state.handles && !state.mouse.gizmo_drag) {
+    if (state.mouse.drag == PictureDrag::undecided && state.handles && !state.mouse.gizmo_drag &&
+        !state.mouse.on_ball) {
       const auto handles =
           visible_handles(session.scene(), session.view(), session.settings(under), state.drawn.transform, area);
       if (const Handle* handle = handle_at(handles, io.MousePos, state.drawn.transform, area))

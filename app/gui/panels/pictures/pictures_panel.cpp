@@ -11,6 +11,7 @@
 #include "gui/panels/pictures/handles_view.h"
 #include "gui/panels/pictures/left_out_line.h"
 #include "gui/panels/pictures/legend_range.h"
+#include "gui/panels/pictures/orbit_ball.h"
 #include "gui/panels/pictures/picture_frame.h"
 #include "gui/panels/pictures/picture_gizmo.h"
 #include "gui/panels/pictures/picture_text.h"
@@ -194,6 +195,7 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
   } else {
     handles_in(side, area);
   }
+  draw_orbit_ball(session, state, area, side == Side::a ? "view/a/orbit" : "view/b/orbit", hovered);
   const auto status = session.renderer(shown_side).status();
   if (status.state == RenderState::failed) draw_notice(list, area, status.message);
   // Until the first pixels come, the picture before is shown.

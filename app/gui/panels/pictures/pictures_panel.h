@@ -119,6 +119,7 @@ struct PictureMouse {
   Side drag_side = Side::a;             ///< in whose picture the drag began
   std::optional<Handle> grabbed;        ///< the handle being dragged, as it was at the start
   std::optional<GizmoDrag> gizmo_drag;  ///< the part of the gizmo being dragged
+  bool on_ball = false;                 ///< the drag began on the ball that orbits
 };
 
 /// What the pictures remember of themselves. The document holds the rest.
