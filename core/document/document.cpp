@@ -5,6 +5,7 @@
 #include "frame/region.h"
 #include "options/renderer_kind.h"
 #include "options/scene_settings.h"
+#include "scene/contents.h"
 
 namespace ps {
 namespace {
@@ -53,7 +54,10 @@ void attach_scene(Document& document, Scene scene) {
 
 void edit_scene(Document& document, const SceneEdit& edit) {
   std::vector<SceneEdit> edits = document.edits;
-  std::erase_if(edits, [&](const SceneEdit& earlier) { return earlier.path == edit.path; });
+  const auto counts_anew = [](const SceneEdit& earlier) { return changes_contents(earlier.path); };
+  const auto since = std::find_if(edits.rbegin(), edits.rend(), counts_anew).base();
+  const auto same = [&](const SceneEdit& earlier) { return earlier.path == edit.path; };
+  edits.erase(std::remove_if(since, edits.end(), same), edits.end());
   edits.push_back(edit);
   document.scene = edited_scene(document.base, edits);
   document.edits = std::move(edits);

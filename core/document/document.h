@@ -113,7 +113,8 @@ Document open_document(const std::string& scene_name, Scene scene);
 /// not fit the scene, or for a setting of the scene that does not exist.
 void attach_scene(Document& document, Scene scene);
 
-/// Adds an edit, in place of an earlier one of the same path, and applies it. Throws InputError, and leaves the
+/// Adds an edit and applies it. A property's takes the place of an earlier one of the same path, unless things were
+/// put into the scene or taken out of it since: then the path may mean another thing. Throws InputError, and leaves the
 /// document as it was, when it does not fit.
 void edit_scene(Document& document, const SceneEdit& edit);
 

@@ -1,11 +1,17 @@
 #include "document/scene_edits.h"
 
+#include "scene/contents.h"
 #include "scene/edit.h"
 
 namespace ps {
 
 Scene edited_scene(Scene scene, const std::vector<SceneEdit>& edits) {
-  for (const SceneEdit& edit : edits) set_property(scene, edit.path, edit.value);
+  for (const SceneEdit& edit : edits) {
+    if (changes_contents(edit.path))
+      change_contents(scene, edit.path, edit.value);
+    else
+      set_property(scene, edit.path, edit.value);
+  }
   return scene;
 }
 

@@ -8,7 +8,8 @@
 
 namespace ps {
 
-/// One change to the scene as it was loaded: a path and a value as set_property of scene/edit.h reads them.
+/// One change to the scene as it was loaded: a path and a value as set_property of scene/edit.h reads them, or
+/// change_contents of scene/contents.h. Indices in them count in the scene as the edits before this one leave it.
 struct SceneEdit {
   std::string path;
   std::string value;

@@ -78,10 +78,13 @@ std::vector<Handle> handles_of(const Scene& scene, const View& view, const Setti
   return handles;
 }
 
+std::string brief_place(const Vec3d& place) {
+  return fmt::format("({:.4g}, {:.4g}, {:.4g})", place.x, place.y, place.z);
+}
+
 void drag_handle(Session& session, Side side, const Handle& handle, const Vec2d& place) {
   const Vec3d position = position_at(session.view(), session.settings(side), handle.position, place) + handle.offset;
-  // Four digits are finer than a pixel and read well in a saved scene.
-  const SceneEdit change{handle.path, fmt::format("({:.4g}, {:.4g}, {:.4g})", position.x, position.y, position.z)};
+  const SceneEdit change{handle.path, brief_place(position)};
   session.edit("move " + handle.name, handle.path, [&](Document& document) { edit_scene(document, change); });
 }
 

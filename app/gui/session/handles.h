@@ -27,6 +27,9 @@ std::optional<Vec2d> place_in_picture(const View& view, const Settings& settings
 /// The world position at a place of the picture that is as far along the camera's forward axis as `like`.
 Vec3d position_at(const View& view, const Settings& settings, const Vec3d& like, const Vec2d& place);
 
+/// A place as edits have it: four digits are finer than a pixel and read well in a saved scene.
+std::string brief_place(const Vec3d& place);
+
 /// Moves what the handle holds to another place of the picture, at its depth. Moves in a row are one step in the
 /// history until Session::end_drag().
 void drag_handle(Session& session, Side side, const Handle& handle, const Vec2d& place);

@@ -14,6 +14,8 @@ class PickedObject {
   void update(const Session& session);
   /// Another object of the scene in place of the pixel's: `by` on in the scene's order, round and round.
   void step(const Session& session, int by);
+  /// Another one in place of the pixel's, which may be one that has just been added; nullopt = none.
+  void choose(std::optional<std::size_t> object) { object_ = object; }
   /// Index into Geometry::objects; nullopt while none is picked, or where the scene no longer has it.
   std::optional<std::size_t> index(const Session& session) const;
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "gui/panels/options/vector_field.h"
+#include "gui/session/scene_contents.h"
 #include "gui/widgets/widgets.h"
 #include "record/value_text.h"
 #include "render/story/names.h"
@@ -60,8 +61,7 @@ int selected_light(const Scene& scene, int wanted) {
 }
 
 void lights_panel(Session& session, int& selected, bool& open) {
-  const auto& lights = *session.scene().lights;
-  if (lights.empty()) return;
+  const auto lights = *session.scene().lights;  // a button may change the scene's own
   if (!section("lights", "Lights of the scene", open, fmt::format("{}", lights.size()))) return;
   const NameScope scope("light");
   const int chosen = selected_light(session.scene(), selected);
@@ -83,8 +83,13 @@ void lights_panel(Session& session, int& selected, bool& open) {
     if (light.kind == LightKind::directional)
       value_text(place, "towards " + vector_text(light.direction), {.quiet = true});
     if (movable && static_cast<int>(i) == chosen) term_fields(session, i, light);
+    if (button(fmt::format("{}/duplicate", i), "Duplicate", Emphasis::quiet)) duplicate_light(session, selected, i);
+    ImGui::SameLine(0, px(2));
+    if (button(fmt::format("{}/delete", i), "Delete", Emphasis::quiet)) remove_light(session, i);
     ImGui::PopID();
   }
+  for (const auto& [kind, label] : {std::pair{"point", "Add point light"}, {"directional", "Add directional light"}})
+    if (button(fmt::format("add-{}", kind), label)) add_light(session, selected, kind);
 }
 
 }  // namespace ps::gui

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "gui/input/key_hint.h"
 #include "gui/panels/options/vector_field.h"
 #include "gui/session/camera_moves.h"
 #include "gui/session/gizmo.h"
+#include "gui/session/scene_contents.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 #include "render/story/names.h"
@@ -161,12 +163,31 @@ void surface_fields(ObjectEdits& edits, const Scene& scene, std::size_t object) 
                    "Depth of the height map's relief, in widths of its picture.");
 }
 
+/// Puts objects into the scene and takes the picked one out.
+void contents_buttons(Session& session, PickedObject& picked) {
+  const char* none = picked.index(session) ? "" : "No object is picked.";
+  struct Deed {
+    const char *name, *label, *action;
+    std::string_view disabled;
+    std::function<void()> run;
+  };
+  const std::array deeds{
+      Deed{"add-sphere", "Add sphere", "object-add-sphere", "", [&] { add_object(session, picked, "sphere"); }},
+      Deed{"add-box", "Add box", "object-add-box", "", [&] { add_object(session, picked, "box"); }},
+      Deed{"duplicate", "Duplicate", "object-duplicate", none, [&] { duplicate_object(session, picked); }},
+      Deed{"delete", "Delete", "object-delete", none, [&] { remove_object(session, picked); }}};
+  for (const Deed& deed : deeds) {
+    if (deed.name != deeds.front().name) same_line_if_room(button_width(deed.label), px(4));
+    if (button(deed.name, deed.label, Emphasis::plain,
+               {.tooltip = with_key("Undo takes it back.", deed.action), .disabled = deed.disabled}))
+      deed.run();
+  }
+}
+
 }  // namespace
 
 void object_panel(Session& session, ObjectPanelState& state, PickedObject& picked, bool& gizmo) {
-  const auto& objects = session.scene().geometry->objects;
-  if (objects.empty()) return;
-  const auto index = picked.index(session);
+  auto index = picked.index(session);
   const std::string name = index ? object_name(session.scene(), static_cast<int>(*index)) : "none picked";
   const bool opened = section("object", "Object", state.open, name);
   if (state.come > 0) {
@@ -185,13 +206,15 @@ void object_panel(Session& session, ObjectPanelState& state, PickedObject& picke
           {.tooltip = with_key("Arrows, rings and squares in the pictures and in SPACE that move, turn and scale it.",
                                "gizmo")}))
     gizmo = !gizmo;
+  contents_buttons(session, picked);
+  index = picked.index(session);
   if (!index) {
     show_paragraph("Click an object in a picture to change it.");
     return;
   }
-  value_text("name", name);
   ObjectEdits edits(session, *index);
-  shape_fields(edits, objects[*index]);
+  value_text("name", edits.name());
+  shape_fields(edits, session.scene().geometry->objects[*index]);
   surface_fields(edits, session.scene(), *index);
 }
 

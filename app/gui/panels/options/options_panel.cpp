@@ -10,6 +10,7 @@
 #include "gui/panels/options/light_actions.h"
 #include "gui/panels/options/lights_panel.h"
 #include "gui/panels/options/row_results.h"
+#include "gui/session/scene_contents.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/key_focus.h"
 #include "gui/widgets/option_pair.h"
@@ -214,14 +215,20 @@ OptionsPanel::OptionsPanel(const PanelHost& host, ObjectSelection& selection)
 
 void OptionsPanel::add_actions(Actions& actions) {
   add_light_actions(actions, session_, state_.selected_light);
-  ActionGroup(actions, "Edit", [this] {
-    return session_.has_scene();
-  }).add("object", "Object: place, size and material of the picked one", "", [this] {
+  ActionGroup edit(actions, "Edit", [this] { return session_.has_scene(); });
+  edit.add("object", "Object: place, size and material of the picked one", "", [this] {
     state_.object.open = true;
     state_.object.come = 3;
     host_.send(ShowOptions{});
     key_focus().go_to("options/object/gizmo");
   });
+  edit.add("object-add-sphere", "Add a sphere", "", [this] { add_object(session_, selection_.object, "sphere"); });
+  edit.add("object-add-box", "Add a box", "", [this] { add_object(session_, selection_.object, "box"); });
+  ActionGroup picked(actions, "Edit", [this] { return selection_.object.index(session_).has_value(); });
+  picked.add("object-duplicate", "Duplicate the picked object", "",
+             [this] { duplicate_object(session_, selection_.object); });
+  picked.add("object-delete", "Delete the picked object", "Delete",
+             [this] { remove_object(session_, selection_.object); });
 }
 
 /// Brings an option's row into sight and highlights it.
