@@ -15,7 +15,6 @@
 #include "hardware/picture_units.h"
 
 namespace ps::hardware {
-namespace {}  // namespace
 
 PictureDrawer::PictureDrawer(const PicturePlan& plan, Workshop& shop)
     : plan_(plan), shop_(shop), keeps_depth_(driver_keeps_depth(plan, shop.driver().clip_control)),

@@ -47,11 +47,23 @@ std::string setting_words(std::string_view assignment) {
   return setting_words(*option, settings);
 }
 
+namespace {
+
+/// A part of a list in words, and what follows it after the end of a sentence as it is: "depth=64. All on SIMD code."
+std::string part_in_words(std::string_view part) {
+  auto end = part.find(". ");
+  if (end == std::string_view::npos && part.ends_with('.')) end = part.size() - 1;
+  if (end == std::string_view::npos) return setting_words(part);
+  return setting_words(part.substr(0, end)) + std::string(part.substr(end));
+}
+
+}  // namespace
+
 std::string settings_in_words(std::string_view text, std::string_view separator) {
   std::string words;
   while (true) {
     const auto end = text.find(separator);
-    words += setting_words(text.substr(0, end));
+    words += part_in_words(text.substr(0, end));
     if (end == std::string_view::npos) return words;
     words += separator;
     text.remove_prefix(end + separator.size());

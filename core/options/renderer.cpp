@@ -111,6 +111,7 @@ Option listing_row() {
                                {"lab/polygon-rows", "listing=lab-cornell"},
                                {"cgfs/reflections"},
                                {"cgfs/crates"},
+                               {"cgfs/shading"},
                                {"cgfs/behind"}}}},
       OptionKind::choice);
   option.choices.push_back({"auto", "automatic", "Automatic: the most advanced listing that can draw this scene."});

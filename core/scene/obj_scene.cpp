@@ -81,17 +81,17 @@ Vec3d viewing_side(const Mesh& mesh, const BoundingSphere& bounds, const Facing&
 /// Why the model is not visible in its default view; empty if it is.
 std::string view_fault(const Mesh& mesh, const BoundingSphere& bounds, const Facing& facing, const Vec3d& side) {
   if (!(facing.area > 0)) return "no triangle of the model has an area, so nothing is in view";
-  double seen = 0, seen_front = 0;
+  double shown = 0, shown_front = 0;
   each_normal(mesh, bounds, [&](const Vec3d&, const Vec3d& normal) {
-    seen += std::abs(dot(normal, side));
-    seen_front += std::max(dot(normal, side), 0.0);
+    shown += std::abs(dot(normal, side));
+    shown_front += std::max(dot(normal, side), 0.0);
   });
   constexpr double edges_alone = 1e-3;
-  if (seen < edges_alone * facing.area)
-    return "every face of the model is seen from its edge in this view; look at it from another side";
+  if (shown < edges_alone * facing.area)
+    return "every face of the model is shown from its edge in this view; look at it from another side";
   constexpr double most = 0.9;
   const bool inside_out = facing.volume < -most * facing.turned && std::abs(facing.turned) > 1e-6 * facing.area;
-  if (!inside_out && seen_front > 0) return {};
+  if (!inside_out && shown_front > 0) return {};
   return "the faces run clockwise, so their backs are seen: rasterizers leave them out with backface-culling = on";
 }
 

@@ -101,9 +101,6 @@ std::vector<SameByDesign> same_by_design() {
   same.push_back({"coverage",
                   {"edge-function", "bounding-box"},
                   "both test every sample of the box in exact integers, by edge functions or by a ray"});
-  same.push_back({"listing",
-                  {"cgfs-09-perspective", "cgfs-10-scenes"},
-                  "both draw the edges of triangles, and chapter 10 only finds their places by matrices"});
   for (const ListingBug& bug : listing_bugs())
     for (const ListingBug& other : listing_bugs())
       if (bug.folder != other.folder)

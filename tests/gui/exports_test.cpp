@@ -136,7 +136,7 @@ TEST(Exports, SayWhatMadeThem) {
     script += "click menu/scene\nclick save-story\n" + answer_with(out / name);
   for (const std::string tool : {"space", "microscope"})
     script += "click bottom/" + tool + "\nwait idle\nclick " + tool + "/svg\n" + answer_with(out / (tool + ".svg"));
-  script += "click bottom/chart\nchoose chart/sweep reflection-depths\nclick chart/measure\nwait idle\n";
+  script += "click bottom/chart\nchoose chart/sweep samples\nclick chart/measure\nwait idle\n";
   for (const std::string type : {"csv", "json", "svg"})
     script += "click chart/export\nclick chart/" + type + "\n" + answer_with(out / ("chart." + type));
   std::ofstream(out / "play.script") << script << "quit\n";

@@ -22,7 +22,9 @@ Document small_document(const NamedListing& listing) {
   for (int step = 1; step < static_cast<int>(lesson.steps.size()); ++step) {
     if (document.a.settings.renderer == Renderer::textbook) break;
     Document next = lesson_document(lesson, step, Document{});
-    if (next.a.settings.renderer == Renderer::textbook && next.a.settings.listing_bug == 0) document = std::move(next);
+    if (next.a.settings.renderer != Renderer::textbook) continue;
+    next.a.settings.listing_bug = 0;
+    document = std::move(next);
   }
   document.view.width = 240;
   document.view.height = 180;

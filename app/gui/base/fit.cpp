@@ -79,7 +79,9 @@ void FitWatch::placed(const std::string& name, ImVec2 min, ImVec2 max, ImVec2 cl
   const float beside = std::max(slack, ImGui::GetStyle().ItemSpacing.x / 2 + 1);
   const bool out_of_width = min.x < clip_min.x - beside || max.x > clip_max.x + beside;
   const bool out_of_height = min.y < clip_min.y - slack || max.y > clip_max.y + slack;
-  const bool cut = out_of_width || (out_of_height && !scrolls(&window));
+  // A part that is scrolled out of sight as a whole has no width there.
+  const bool out_of_sight = clip_max.x <= clip_min.x || clip_max.y <= clip_min.y;
+  const bool cut = (out_of_width && !out_of_sight) || (out_of_height && !scrolls(&window));
   now().controls.push_back({name, min, max, seen_min, seen_max, window.RootWindow, cut});
 }
 

@@ -134,7 +134,7 @@ void Microscope::find_driver_sample(Prepared& prepared, Progress& progress) {
 
 /// A line paints whole pixels, so that no point of the pixel shows what lies below it.
 void Microscope::find_line(Prepared& prepared, Progress& progress) {
-  if (fills(settings_.draw) && raster::count_canvas_lines(scene_) == 0) return;
+  if (settings_.draw == Draw::filled && raster::count_canvas_lines(scene_) == 0) return;
   const LineEvent* line = nullptr;
   const PixelStory story = inspect(scene_, view_, settings_, pixel_, prepared, progress);
   for (const Event& event : story.events) {

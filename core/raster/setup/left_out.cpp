@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+#include <vector>
+
 namespace ps {
 
 std::vector<LeftOut> left_out_by_fragments(const SceneTraits& traits, const Settings& settings,
@@ -16,16 +19,17 @@ std::vector<LeftOut> left_out_by_fragments(const SceneTraits& traits, const Sett
                                subject),
                    "No CSG: its surfaces need rays.",
                    {rays}});
-  const bool draws_blended = settings.renderer == Renderer::rasterizer && settings.blending != Blending::off;
-  if (traits.transparent && !draws_blended)
+  const bool may_blend = settings.renderer == Renderer::rasterizer;
+  if (traits.transparent && !(may_blend && settings.blending != Blending::off)) {
+    std::vector<Remedy> remedies{rays};
+    if (may_blend) remedies.push_back({"Blending", "blending=sorted"});
     all.push_back(
-        {LeftOutKind::effect,
-         "shows transparent surfaces as opaque",
+        {LeftOutKind::effect, "shows transparent surfaces as opaque",
          fmt::format("{} shows transparent surfaces as opaque, or cuts them out where an opacity map is below "
                      "1/2. Set renderer = ray-tracer, or blending = sorted with the rasterizer, to see through them.",
                      subject),
-         "No transparency: it needs rays, or blending.",
-         {rays, {"Blending", "renderer=rasterizer;blending=sorted"}}});
+         "No transparency: it needs rays, or blending.", std::move(remedies)});
+  }
   if (traits.light_maps && settings.textures && settings.lighting && settings.shading != Shading::phong)
     all.push_back({LeftOutKind::effect,
                    "leaves out specular maps",

@@ -87,7 +87,8 @@ std::string value_then(const std::vector<FieldText>& before, const FieldText& no
 
 }  // namespace
 
-std::optional<ClickedNumber> event_numbers(const Event& event, const Scene& scene, const Event* before) {
+std::optional<ClickedNumber> event_numbers(const std::string& name, const Event& event, const Scene& scene,
+                                           const Event* before) {
   std::optional<ClickedNumber> clicked;
   const auto fields = event_fields(event.data, scene);
   const std::size_t own = event_fields(event.data).size();  // those behind them are the model's, not the kernel's
@@ -141,7 +142,7 @@ std::optional<ClickedNumber> event_numbers(const Event& event, const Scene& scen
           continue;
         }
         const bool vector = numbers->size() > 1;
-        controls().record(fmt::format("number/{}{}", fields[i].key, vector ? fmt::format(".{}", k) : ""), text);
+        controls().record(fmt::format("{}/{}{}", name, fields[i].key, vector ? fmt::format(".{}", k) : ""), text);
         if (ImGui::IsItemHovered()) {
           ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
           const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();

@@ -15,7 +15,9 @@ struct ClickedNumber {
 
 /// All that is known about an event as a table: names to the left, numbers right-aligned in columns, vectors over
 /// three of them. Full precision on hover. With `before`, the event as it was when it was pinned, what it had then
-/// is above what changed. Answers the number that was clicked.
-std::optional<ClickedNumber> event_numbers(const Event& event, const Scene& scene, const Event* before = nullptr);
+/// is above what changed. Answers the number that was clicked; `name` goes
+/// before their names.
+std::optional<ClickedNumber> event_numbers(const std::string& name, const Event& event, const Scene& scene,
+                                           const Event* before = nullptr);
 
 }  // namespace ps::gui

@@ -37,8 +37,8 @@ struct TreeDrawing {
     return before < 0 ? nullptr : &pinned->before->events[static_cast<std::size_t>(before)];
   }
   void numbers(int index) {
-    const NameScope names(fmt::format("{}/{}", name, index));
-    if (const auto number = event_numbers(event(index), scene, then(index)))
+    const std::string names = fmt::format("{}/{}/number", name, index);
+    if (const auto number = event_numbers(names, event(index), scene, then(index)))
       state.asked = field_query(story.events, index, number->key, number->component);
   }
 
