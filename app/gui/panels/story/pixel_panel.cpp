@@ -265,7 +265,9 @@ bool PixelPanel::stop_asking() {
 
 bool PixelPanel::draw(const Context&) {
   if (asks()) {
-    if (session_.document().mode == ScreenMode::lesson || predict.lesson->asked_beside_text(session_))
+    const ScreenMode mode = session_.document().mode;
+    const bool in_caption = mode == ScreenMode::presenter && predict.lesson->question();
+    if (mode == ScreenMode::lesson || in_caption || predict.lesson->asked_beside_text(session_))
       ImGui::TextWrapped("The story is shown after your answer.");  // the question is beside the text
     else
       predict_panel(session_, predict);
