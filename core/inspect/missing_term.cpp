@@ -64,7 +64,7 @@ class TermSearch {
   }
 
   /// Keeps the rows if they explain the difference better than what is kept, or as well and are further down.
-  void consider(std::vector<std::size_t> lines, int depth) {
+  void consider(const std::vector<std::size_t>& lines, int depth) {
     Vec3d value(0);
     for (const std::size_t line : lines) value += story_.ledger[line].value;
     for (const auto& [change, sign] :

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <optional>
 #include <set>
+#include <tuple>
 
 #include "base/check.h"
 #include "image/difference.h"
@@ -199,11 +200,7 @@ class MissingSearch {
     update_(status_);
   }
 
-  struct Seen {
-    std::uint64_t hash;
-    int x, y;
-    auto operator<=>(const Seen&) const = default;
-  };
+  using Seen = std::tuple<std::uint64_t, int, int>;  ///< the pixels' hash, and the shift
 
   const MissingRequest& request_;
   StudyControl& control_;

@@ -36,8 +36,8 @@ float unit_width(const Session& session) {
   return widest + px(arrow);
 }
 
-/// What a side counts, or that it shows all.
-void unit_choice(Session& session, Side side) {
+/// What a side counts, or that it shows all, in a list that is at most so wide.
+void unit_choice(Session& session, Side side, float widest) {
   std::vector<Choice> choices{{"whole", "Whole", "The finished picture."}};
   std::vector<std::string_view> idle{""};
   const auto& motion = side_of(session.document(), side).slow_motion;
@@ -48,9 +48,11 @@ void unit_choice(Session& session, Side side) {
     idle.push_back(slow_motion_lacks(row.unit, session.settings(side), session.traits()).value_or(""));
   }
   const std::string tip = fmt::format("What {} counts.", letter_of(side));
-  if (!drop_down(side == Side::a ? "slow/unit-a" : "slow/unit-b", choices, index, unit_width(session),
+  const float own = unit_width(session), width = std::min(own, widest);
+  const Face face = width < own ? Face::small : strip_face(session);
+  if (!drop_down(side == Side::a ? "slow/unit-a" : "slow/unit-b", choices, index, width,
                  {.tooltip = tip, .idle = [&idle](std::size_t unit) { return std::string(idle[unit]); }},
-                 {.face = strip_face(session)}))
+                 {.face = face}))
     return;
   if (!idle[static_cast<std::size_t>(index)].empty()) return;
   std::optional<SlowMotion> next;
@@ -176,7 +178,9 @@ void slow_strip(Session& session, SlowMotionState& state) {
     side_badge(*ImGui::GetWindowDrawList(), {at.x, at.y + (ImGui::GetFrameHeight() - widths.badge) / 2}, widths.badge,
                side);
     ImGui::SetCursorScreenPos({at.x + widths.badge + space, at.y});
-    unit_choice(session, side);
+    const float after = button_width(form == StripForm::full ? "Close" : "×") + 2 * space;
+    const bool last = form == StripForm::one_unit || side == Side::b;
+    unit_choice(session, side, last ? ImGui::GetContentRegionAvail().x - after : unit_width(session));
   }
   ImGui::SameLine(0, space);
   if (button("slow/close", form == StripForm::full ? "Close" : "×", Emphasis::quiet,

@@ -186,7 +186,7 @@ void TimingsTab::measure(Session& session) {
 }
 
 std::string TimingsTab::reason_against(Session& session) const {
-  if (const std::string reason = why_not_b(session); !reason.empty()) return reason;
+  if (std::string reason = why_not_b(session); !reason.empty()) return reason;
   const Results results = results_of(session);
   for (const Side side : both_sides)
     if (!results[index_of(side)] || session.renderer(side).status().state != RenderState::done)
