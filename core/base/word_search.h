@@ -13,6 +13,9 @@ bool has_words(std::string_view wanted, std::initializer_list<std::string_view> 
 /// ASCII letters).
 bool letters_in_order(std::string_view wanted, std::string_view text);
 
+/// The text without the spaces at both of its ends.
+std::string_view trimmed(std::string_view text);
+
 /// The text with small ASCII letters; as many bytes.
 std::string in_small_letters(std::string_view text);
 

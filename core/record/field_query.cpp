@@ -8,6 +8,7 @@
 
 #include "base/check.h"
 #include "base/number_text.h"
+#include "base/word_search.h"
 #include "record/event_keys.h"
 
 namespace ps {
@@ -69,12 +70,6 @@ struct Number {
     return {};
   }
 };
-
-std::string_view trimmed(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return text;
-}
 
 RayKind parse_ray(std::string_view text) {
   for (const RayKind kind : {RayKind::shadow, RayKind::reflection, RayKind::refraction})

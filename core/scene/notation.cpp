@@ -8,16 +8,12 @@
 #include "base/check.h"
 #include "base/read_file.h"
 #include "base/resources.h"
+#include "base/word_search.h"
 
 namespace ps {
 namespace {
 
 constexpr std::string_view heading = "## ", fence = "```", surface_words = "Fields of a [surface](#material) too.";
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(' ');
-  return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
 
 /// The cells between the bars of a table's row.
 std::vector<std::string> cells_of(std::string_view row) {

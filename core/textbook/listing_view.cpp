@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t most_values = 4;  // of one name on one line
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_indent(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r");
   return first == std::string_view::npos ? std::string_view{} : text.substr(first);
 }
@@ -29,7 +29,7 @@ ListingText parse_listing(const std::string& source) {
   text.shown_at.assign(lines.size() + 1, -1);
   bool inside = false, watch = false;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const std::string_view line = trimmed(lines[i]);
+    const std::string_view line = without_indent(lines[i]);
     if (line == "namespace {") {
       inside = true;
       continue;
@@ -43,7 +43,7 @@ ListingText parse_listing(const std::string& source) {
     }
     text.shown_at[i + 1] = static_cast<int>(text.lines.size()) - 1;
   }
-  while (!text.lines.empty() && trimmed(text.lines.back().text).empty()) text.lines.pop_back();
+  while (!text.lines.empty() && without_indent(text.lines.back().text).empty()) text.lines.pop_back();
   return text;
 }
 

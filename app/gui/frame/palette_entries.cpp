@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "gui/frame/missing_features.h"
+#include "gui/frame/absent_features.h"
 #include "gui/panels/lesson/lesson_list.h"
 #include "gui/panels/options/value_entries.h"
 #include "gui/session/compare_technique.h"
@@ -90,12 +90,12 @@ std::vector<PaletteEntry> palette_entries(const PanelHost& host, const PanelList
                          session.navigate([&](Document& document) { document.layout.experiment = experiment.key; });
                        },
                        fmt::format("{}, {}", experiment.key, experiment.keywords)});
-  for (const MissingFeature& missing : missing_features())
-    entries.push_back({.name = fmt::format("missing/{}", missing.name),
-                       .label = fmt::format("No {} here. Nearest: {}", missing.name, missing.nearest),
+  for (const AbsentFeature& absent : absent_features())
+    entries.push_back({.name = fmt::format("missing/{}", absent.name),
+                       .label = fmt::format("No {} here. Nearest: {}", absent.name, absent.nearest),
                        .kind = "not here",
-                       .words = fmt::format("{}, {}", missing.name, missing.words),
-                       .leads_to = std::string(missing.leads_to)});
+                       .words = fmt::format("{}, {}", absent.name, absent.words),
+                       .leads_to = std::string(absent.leads_to)});
   return entries;
 }
 

@@ -315,9 +315,9 @@ void Regions::stage(const Area& area) {
 void Regions::verdict_line(const Area& area) {
   begin_region(session_, "stage", area, {}, RegionPadding::tight);
   const auto story = session_.story(inspected_side(session_));
-  const bool told = story && !my_.pixel.asks();
+  const bool shown = story && !my_.pixel.asks();
   const float room = ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().FramePadding.x;
-  const std::string line = told ? "› " + story->verdict : "› Story of the picked pixel";
+  const std::string line = shown ? "› " + story->verdict : "› Story of the picked pixel";
   const bool wanted = controls().revealing().starts_with("pixel/");  // by a script
   if (button("stage/open", whole_words(line, room), Emphasis::quiet, {.tooltip = "Opens the story of the pixel."}) ||
       wanted)

@@ -10,12 +10,6 @@ namespace {
 /// Scattered letters of a long word occur in nearly every sentence.
 constexpr std::size_t most_scattered_letters = 3;
 
-std::string_view trimmed(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return text;
-}
-
 bool is_one_of(std::string_view wanted, std::string_view words) {
   for (std::size_t comma = 0; comma != std::string_view::npos; words.remove_prefix(comma + 1)) {
     comma = words.find(',');

@@ -1,7 +1,5 @@
 #include "gui/panels/story/pixel_panel.h"
 
-#include "gui/panels/story/shown_field.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -289,7 +287,7 @@ void PixelPanel::story() {
   const auto copy = [this](const std::string& text) { host_.copy(text, "Copied to the clipboard."); };
   const NameScope scope("pixel");
   const auto picked = session.pixel();
-  shown_field_bar(session, session.document().picked, state.condition);
+  shown_field_bar(session, session.document().picked, state.field);
   if (!picked) {
     nothing_picked(session);
     return;

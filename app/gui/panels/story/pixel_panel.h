@@ -10,6 +10,7 @@
 #include "gui/panels/story/parting_view.h"
 #include "gui/panels/story/pin_view.h"
 #include "gui/panels/story/predict_panel.h"
+#include "gui/panels/story/shown_field.h"
 #include "gui/panels/story/story_tree_view.h"
 #include "gui/session/session.h"
 
@@ -25,7 +26,7 @@ struct PixelPanelState {
   PinState pin;
   bool events_open = true, sum_open = true, work_open = false, rows_open = false;
   CanvasRowsState rows;
-  std::string condition;  ///< typed, of the number that the pictures show
+  ShownFieldState field;  ///< of the number that the pictures show
   std::array<bool, 2> both_events_open{false, false}, both_sum_open{true, true};  ///< in the view of both
 };
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/check.h"
 #include "base/number_text.h"
 #include "gui/widgets/text_field.h"
@@ -29,38 +31,42 @@ void show_colours(Session& session) {
   });
 }
 
-/// The pixels that meet the condition: how many, and the first after the picked one in reading order, or of all.
-struct Met {
-  std::size_t count = 0;
-  std::optional<Vec2i> next;
-};
-Met find_met(const Image<float>& values, const FieldCondition& condition, std::optional<Vec2i> after) {
-  Met met;
+/// The pixels that meet the condition, counted once for a picture.
+std::size_t count_of(const std::shared_ptr<const RenderResult>& result, const FieldCondition& condition,
+                     ShownFieldState& state) {
+  if (state.result == result && state.condition == condition) return state.count;
+  state.result = result;
+  state.condition = condition;
+  const auto& values = result->frame.field.pixels();
+  state.count = static_cast<std::size_t>(
+      std::count_if(values.begin(), values.end(), [&](float value) { return condition.met_by(value); }));
+  return state.count;
+}
+
+/// The first pixel after `after` in reading order that meets it, or the first of all.
+std::optional<Vec2i> next_met(const Image<float>& values, const FieldCondition& condition, std::optional<Vec2i> after) {
   std::optional<Vec2i> first;
   for (int y = 0; y < values.height(); ++y)
     for (int x = 0; x < values.width(); ++x) {
       if (!condition.met_by(values.at(x, y))) continue;
-      ++met.count;
+      if (!after || y > after->y || (y == after->y && x > after->x)) return Vec2i(x, y);
       if (!first) first = Vec2i(x, y);
-      const bool later = after && (y > after->y || (y == after->y && x > after->x));
-      if (later && !met.next) met.next = Vec2i(x, y);
     }
-  if (!met.next) met.next = first;
-  return met;
+  return first;
 }
 
 /// How many meet it, and the way to the next.
-void count_and_next(Session& session, Side side, const FieldCondition& condition) {
+void count_and_next(Session& session, Side side, const FieldCondition& condition, ShownFieldState& state) {
   const auto result = session.renderer(side).result();
   if (!result || result->frame.field.empty() || !result->frame.shown_field ||
       result->frame.shown_field->query != session.document().field->query)
     return quiet_text("being computed");
-  const Met met = find_met(result->frame.field, condition, session.pixel());
-  value_text("count", fmt::format("{} pixels", with_thousands(std::to_string(met.count))));
+  const std::size_t count = count_of(result, condition, state);
+  value_text("count", fmt::format("{} pixels", with_thousands(std::to_string(count))));
   same_line_if_room(button_width("Next"));
   if (button("next", "Next", Emphasis::plain,
-             {.tooltip = "To the next pixel that meets it.", .disabled = met.next ? "" : "No pixel meets it."}))
-    session.set_pixel(met.next);
+             {.tooltip = "To the next pixel that meets it.", .disabled = count > 0 ? "" : "No pixel meets it."}))
+    session.set_pixel(next_met(result->frame.field, condition, session.pixel()));
 }
 
 }  // namespace
@@ -72,20 +78,20 @@ void show_field(Session& session, const FieldQuery& query) {
   });
 }
 
-void shown_field_bar(Session& session, Side side, std::string& condition) {
+void shown_field_bar(Session& session, Side side, ShownFieldState& state) {
   const auto& field = session.document().field;
   if (!field || session.shown(side) != ShownChannel::field) return;
   const NameScope names("field");
   value_paragraph("shown", "In the pictures: " + field_query_words(field->query), {Face::bold});
   if (!renderer_row(session.settings(side).renderer).find_field)
     quiet_text("This renderer reports its steps for one pixel at a time, so it shows no number for all.");
-  if (text_field("mark", condition, "Mark pixels: < 0.001", {.width = px(200)}).changed) mark(session, condition);
+  if (text_field("mark", state.typed, "Mark pixels: < 0.001", {.width = px(200)}).changed) mark(session, state.typed);
   same_line_if_room(button_width("Colours"));
   if (button("close", "Colours", Emphasis::plain, {.tooltip = "The pictures show colours again."})) {
-    condition.clear();
+    state.typed.clear();
     return show_colours(session);
   }
-  if (field->condition) count_and_next(session, side, *field->condition);
+  if (field->condition) count_and_next(session, side, *field->condition, state);
   ImGui::Separator();
 }
 

@@ -1,4 +1,6 @@
 #pragma once
+#include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -10,8 +12,16 @@ namespace ps::gui {
 /// Shows a number of the story for every pixel, in both pictures, so that they can be compared.
 void show_field(Session& session, const FieldQuery& query);
 
+/// State of shown_field_bar().
+struct ShownFieldState {
+  std::string typed;                           ///< the condition
+  std::shared_ptr<const RenderResult> result;  ///< the picture in which `count` pixels meet `condition`
+  std::optional<FieldCondition> condition;
+  std::size_t count = 0;
+};
+
 /// While a side shows such a number: what it is, a field for a condition that marks pixels, how many meet it, a way to
-/// the next of them, and back to the colours. `condition` is what is typed.
-void shown_field_bar(Session& session, Side side, std::string& condition);
+/// the next of them, and back to the colours.
+void shown_field_bar(Session& session, Side side, ShownFieldState& state);
 
 }  // namespace ps::gui
