@@ -22,8 +22,9 @@ Frame picture(const Scene& scene, SelfHit guard, int side = 61) {
 }
 
 double brightness(const Scene& scene, SelfHit guard) {
+  const Frame drawn = picture(scene, guard);
   double sum = 0;
-  for (const Vec3f& colour : picture(scene, guard).colour.pixels()) sum += static_cast<double>(colour.y);
+  for (const Vec3f& colour : drawn.colour.pixels()) sum += static_cast<double>(colour.y);
   return sum / (61 * 61);
 }
 
