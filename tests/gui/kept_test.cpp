@@ -45,10 +45,10 @@ TEST(Shots, AreNamedAfterSceneAndTime) {
   EXPECT_EQ(shot_name("cgfs/shadows", time), "cgfs-shadows-20250131-090000");
   EXPECT_EQ(shot_name("/home/me/my scene.scene", time), "my-scene-20250131-090000");
   const auto folder = fresh_output_folder("gui-free-shot");
-  EXPECT_EQ(free_shot(folder, "x", "-a"), folder / "x-a.png");
+  EXPECT_EQ(free_name(folder, "x", "-a"), "x");
   std::ofstream(folder / "x-a.png") << "there";
-  EXPECT_EQ(free_shot(folder, "x", "-a"), folder / "x-2-a.png");
-  EXPECT_EQ(free_shot(folder, "x", "-b"), folder / "x-b.png");
+  EXPECT_EQ(free_name(folder, "x", "-a"), "x-2");
+  EXPECT_EQ(free_name(folder, "x", "-b"), "x");
 }
 
 /// Starts the window with a state folder of its own, plays commands and ends it.

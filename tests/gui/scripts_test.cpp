@@ -85,7 +85,8 @@ TEST_P(Script, Plays) {
   const std::string renderer = note_of(commands, "renderer");
   if (!renderer.empty() && !ps::test::has_renderer(renderer)) GTEST_SKIP() << "this build has no renderer " << renderer;
   const std::string arguments = note_of(commands, "arguments");
-  replace_all(commands, "OUT/", folder.string() + "/");
+  // Absolute, since the window begins in the folder of the last file.
+  replace_all(commands, "OUT/", std::filesystem::absolute(folder).string() + "/");
   const auto result = ps::test::play(commands, folder, size, arguments);
   EXPECT_EQ(result.status, 0) << result.errors << result.output;
   EXPECT_EQ(result.errors, "");

@@ -42,6 +42,7 @@ namespace {
 
 constexpr const char* layout_key = "app/layout";
 constexpr const char* mode_key_of_state = "app/mode";
+constexpr const char* folder_key = "files/folder";
 constexpr const char* first_look_key = "app/first-look";  // "answered" once the offer is taken, declined or passed by
 /// Without backgrounds: the window is cleared to their colour.
 constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoDecoration |
@@ -167,6 +168,8 @@ App::Parts::Parts(Shell& of, const AppOptions& options, Document document)
     go_to_step(session, place.lesson, place.step);
   }
   first_revision = session.revision();
+  files.keep_folder(shell.remembered(folder_key),
+                    [this](const std::string& folder) { shell.remember(folder_key, folder); });
   add_actions();
   offer_values();
 }
@@ -178,7 +181,8 @@ void App::Parts::add_actions() {
     if (panel.facts.place == PanelPlace::over) panel.add_actions(actions);
   add_picture_actions(actions, session, my.pictures);
   add_shot_actions(actions, session, my.pictures,
-                   [this](std::function<void(Image<Rgb8>)> take) { shell.take_shot(std::move(take)); });
+                   {.ask = [this](std::function<void(Image<Rgb8>)> take) { shell.take_shot(std::move(take)); },
+                    .last_folder = [this] { return files.folder(); }});
   ActionGroup tools(actions, "Study", [this] { return session.has_scene(); });
   for (Panel& panel : my.all()) {
     if (panel.facts.place != PanelPlace::over) panel.add_actions(actions);

@@ -57,6 +57,12 @@ void save_pictures(Session& session, const PicturesState& pictures, const std::f
   }
 }
 
+void save_picture(Session& session, const Image<Rgb8>& picture, const std::filesystem::path& path) {
+  saving(session, path, [&] {
+    save_image(path, picture, SaveOptions{image_texts(document_provenance(session.document(), Side::a, {}, path))});
+  });
+}
+
 void save_scene_as(Session& session, std::filesystem::path path) {
   if (path.extension().empty()) path += ".scene";
   saving(session, path, [&] {

@@ -13,6 +13,8 @@ namespace ps::gui {
 /// What is shown of A and B as NAME-a.png and NAME-b.png, and of the difference as NAME-difference.png while it is on
 /// the screen.
 void save_pictures(Session& session, const PicturesState& pictures, const std::filesystem::path& path);
+/// One picture, with the permalink of the screen.
+void save_picture(Session& session, const Image<Rgb8>& picture, const std::filesystem::path& path);
 /// The scene as it is now, with its edits and the camera that is looked through.
 void save_scene_as(Session& session, std::filesystem::path path);
 /// Everything on the screen as a file of one line, which opens as a scene does.

@@ -39,12 +39,23 @@ Listing list(const std::filesystem::path& folder, const std::vector<std::string>
 
 }  // namespace
 
+FileDialog::FileDialog() {
+  std::error_code error;
+  folder_ = std::filesystem::current_path(error);
+}
+
+void FileDialog::keep_folder(const std::filesystem::path& folder, std::function<void(const std::string&)> keep) {
+  go_to(folder);
+  keep_ = std::move(keep);
+}
+
+void FileDialog::go_to(const std::filesystem::path& folder) {
+  std::error_code error;
+  if (std::filesystem::is_directory(folder, error)) folder_ = folder;
+}
+
 void FileDialog::ask(FileQuestion question) {
   question_ = std::move(question);
-  if (folder_.empty()) {
-    std::error_code error;
-    folder_ = std::filesystem::current_path(error);
-  }
   typed_ = question_.suggestion;
   wanted_ = true;
 }
@@ -106,6 +117,8 @@ void FileDialog::draw() {
   if (chosen || cancelled) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
   if (!chosen) return;
+  go_to(chosen->parent_path());
+  if (keep_) keep_(folder_.string());
   const FileQuestion asked = question_;  // the answer may ask again
   asked.answer({*chosen, typed_});
 }

@@ -27,6 +27,7 @@ void MenuBar::scene_menu() {
   const float most = ImGui::GetWindowWidth() * widest_name;
   if (!begin_menu("menu/scene", "Scene: " + whole_words(shown, most))) return;
   menu_action(actions_, "open");
+  menu_action(actions_, "paste-permalink");
   menu_action(actions_, "scenes");
   if (!session_.loader().recent().empty() && begin_menu("menu/recent", "Recent")) {
     for (const auto& name : std::vector<std::string>(session_.loader().recent())) {

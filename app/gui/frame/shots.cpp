@@ -6,9 +6,7 @@
 #include <cctype>
 #include <cstdlib>
 
-#include "base/check.h"
-#include "document/document_provenance.h"
-#include "image/file.h"
+#include "gui/frame/exports.h"
 
 namespace ps::gui {
 namespace {
@@ -20,34 +18,12 @@ std::tm local_time_now() {
   return local;
 }
 
-std::string name_now(const Session& session) { return shot_name(session.document().scene_name, local_time_now()); }
-
-void save_both(Session& session, const PicturesState& pictures) {
-  const std::filesystem::path folder = shot_folder();
-  const std::string name = name_now(session);
-  try {
-    std::array<std::filesystem::path, 2> files;
-    for (const Side side : both_sides) {
-      auto& file = files[index_of(side)];
-      file = free_shot(folder, name, side == Side::a ? "-a" : "-b");
-      save_image(file, pictures.pictures[index_of(side)].levels,
-                 SaveOptions{image_texts(document_provenance(session.document(), side, {}, file))});
-    }
-    session.say(Message::Kind::information,
-                fmt::format("Saved {} and {}.", files[0].string(), files[1].filename().string()));
-  } catch (const InputError& error) {
-    session.say(Message::Kind::error, error.what());
-  }
-}
-
-void save_window(Session& session, const Image<Rgb8>& shot) {
-  try {
-    const std::filesystem::path file = free_shot(shot_folder(), name_now(session), "-window");
-    save_image(file, shot, SaveOptions{image_texts(document_provenance(session.document(), Side::a, {}, file))});
-    session.say(Message::Kind::information, fmt::format("Saved {}.", file.string()));
-  } catch (const InputError& error) {
-    session.say(Message::Kind::error, error.what());
-  }
+/// A new file named after scene and time, followed by `ending`; a file with `suffix` is not there yet.
+std::filesystem::path free_file(const Session& session, const ShotHost& host, std::string_view suffix,
+                                std::string_view ending) {
+  const std::filesystem::path folder = shot_folder(host.last_folder());
+  const std::string name = shot_name(session.document().scene_name, local_time_now());
+  return folder / fmt::format("{}{}.png", free_name(folder, name, suffix), ending);
 }
 
 }  // namespace
@@ -63,25 +39,27 @@ std::string shot_name(const std::string& scene, const std::tm& time) {
   return fmt::format("{}-{}", name, stamp.data());
 }
 
-std::filesystem::path shot_folder() {
+std::filesystem::path shot_folder(const std::filesystem::path& last) {
   if (const char* pictures = std::getenv("XDG_PICTURES_DIR"); pictures && *pictures) return pictures;
-  return std::filesystem::current_path();
+  return last;
 }
 
-std::filesystem::path free_shot(const std::filesystem::path& folder, const std::string& name,
-                                const std::string& suffix) {
-  std::filesystem::path file = folder / (name + suffix + ".png");
-  for (int number = 2; std::filesystem::exists(file); ++number)
-    file = folder / fmt::format("{}-{}{}.png", name, number, suffix);
-  return file;
+std::string free_name(const std::filesystem::path& folder, const std::string& name, std::string_view suffix) {
+  std::string found = name;
+  for (int number = 2; std::filesystem::exists(folder / fmt::format("{}{}.png", found, suffix)); ++number)
+    found = fmt::format("{}-{}", name, number);
+  return found;
 }
 
-void add_shot_actions(Actions& actions, Session& session, const PicturesState& pictures, const AskShot& ask) {
+void add_shot_actions(Actions& actions, Session& session, const PicturesState& pictures, const ShotHost& host) {
   ActionGroup scene(actions, "Scene", [&session] { return session.has_scene(); });
   scene.add("shot-pictures", "Save both pictures now, named after scene and time", "Shift+P",
-            [&session, &pictures] { save_both(session, pictures); });
-  scene.add("shot-window", "Save a picture of the window now, named after scene and time", "Ctrl+P",
-            [&session, ask] { ask([&session](const Image<Rgb8>& shot) { save_window(session, shot); }); });
+            [&session, &pictures, host] { save_pictures(session, pictures, free_file(session, host, "-a", "")); });
+  scene.add("shot-window", "Save a picture of the window now, named after scene and time", "Ctrl+P", [&session, host] {
+    host.ask([&session, host](const Image<Rgb8>& shot) {
+      save_picture(session, shot, free_file(session, host, "-window", "-window"));
+    });
+  });
 }
 
 }  // namespace ps::gui

@@ -18,7 +18,8 @@
 namespace ps::gui {
 namespace {
 
-constexpr double patience = 0.4;  // seconds of work before it is shown
+constexpr float most_for_news = 0.6f;  // of the line
+constexpr double patience = 0.4;       // seconds of work before it is shown
 
 bool rendering(Session& session, Side side) {
   const auto state = session.renderer(side).status().state;
@@ -70,16 +71,14 @@ std::string newest_news(const Session& session) {
   return newest == messages.rend() ? std::string() : newest->text;
 }
 
-/// Behind a bar of its own, so that it is not taken for what is under the mouse. The beginning, where not all fits.
+/// Behind a bar of its own, so that it is not taken for what is under the mouse. The first words, where not all fit.
 void news_line(const std::string& news, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetTextLineHeight();
   ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + px(1)}, {at.x + px(3), at.y + height},
                                             colour_u32(palette().line_strong));
-  ImGui::PushClipRect(at, {at.x + width, at.y + 2 * height}, true);
   ImGui::SetCursorScreenPos({at.x + px(10), at.y});
-  show_text(news);
-  ImGui::PopClipRect();
+  show_text(whole_words(news, width - px(9)));
   tooltip(news);
   controls().record("news", at, {at.x + width, at.y + height}, news);
 }
@@ -159,7 +158,9 @@ void status_bar(Session& session, const PicturesState& pictures, StatusBarState&
   const float progress_width = std::min(px(330), std::max(px(290), width / 2));
   const float room = width - (shown ? progress_width + gap : 0);
   const std::string news = newest_news(session);
-  const float news_width = news.empty() ? 0 : std::min(text_width(news) + px(10), room * 0.6f);
+  const float wanted = news.empty() ? 0 : text_width(news) + px(10),
+              news_width = std::min(wanted, room * most_for_news);
+  state.news_cut = news_width < wanted;
 
   const std::string hover = flying(pictures) ? camera_text(session.view().camera) : hover_text(session, pictures);
   ImGui::AlignTextToFramePadding();
@@ -192,7 +193,10 @@ void message_bars(Session& session, StatusBarState& state, float left, float rig
   if (session.messages().expire(ImGui::GetTime())) redraw_after(1);
   const auto& messages = session.messages().all();
   const float before = std::exchange(state.bars_height, 0.f);
-  if (std::all_of(messages.begin(), messages.end(), passes)) {
+  // News that their line would cut off are shown whole, over the panels, as they pass.
+  const std::string cut = state.news_cut ? newest_news(session) : "";
+  const auto elsewhere = [&](const Message& message) { return passes(message) && message.text != cut; };
+  if (std::all_of(messages.begin(), messages.end(), elsewhere)) {
     if (before > 0) redraw_after(0);
     return;
   }
@@ -205,12 +209,12 @@ void message_bars(Session& session, StatusBarState& state, float left, float rig
                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                    ImGuiWindowFlags_AlwaysAutoResize);
   for (std::size_t i = 0; i < messages.size(); ++i) {
-    if (passes(messages[i])) continue;
+    if (elsewhere(messages[i])) continue;
     if (!message_bar(fmt::format("message/{}", i), kind_of(messages[i].kind), messages[i].text)) continue;
     session.messages().dismiss(i);
     break;
   }
-  state.bars_height = ImGui::GetWindowSize().y;
+  state.bars_height = std::all_of(messages.begin(), messages.end(), passes) ? 0 : ImGui::GetWindowSize().y;
   if (state.bars_height != before) redraw_after(0);
   ImGui::End();
 }

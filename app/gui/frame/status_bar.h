@@ -12,6 +12,7 @@ std::string hover_text(Session& session, const PicturesState& pictures);
 /// When long work began; the bar shows work only after a while, so that quick work does not flicker.
 struct StatusBarState {
   double busy_since = -1;
+  bool news_cut = false;  ///< the newest information does not fit into the line
   float bars_height = 0;  ///< that the messages below take from the regions, window pixels
 };
 

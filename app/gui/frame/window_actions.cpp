@@ -1,5 +1,12 @@
 #include "gui/frame/window_actions.h"
 
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
 #include "base/spelling.h"
 #include "document/command_line.h"
 #include "document/permalink.h"
@@ -48,11 +55,32 @@ void copy_command(const PanelHost& host, const std::string& command) {
   host.copy(command, "On the clipboard: " + shown_start(command));
 }
 
+/// A permalink, with blanks where mail has broken it, or the path of a file.
+void open_from_clipboard(Session& session) {
+  const char* clipboard = ImGui::GetClipboardText();
+  std::string text = clipboard ? clipboard : "";
+  const auto blank = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
+  text.erase(text.begin(), std::find_if_not(text.begin(), text.end(), blank));
+  while (!text.empty() && blank(text.back())) text.pop_back();
+  if (text.empty())
+    return session.say(Message::Kind::warning, "The clipboard is empty: copy a permalink first (key C).");
+  std::error_code error;
+  if (std::filesystem::exists(text, error)) return session.open(text);
+  const std::string shown = shown_start(text);
+  std::erase_if(text, blank);
+  if (text.find('=') != std::string::npos) return session.open_permalink(text);
+  session.say(Message::Kind::warning,
+              fmt::format("The clipboard holds '{}': neither a permalink (key C copies one) nor a file.", shown));
+}
+
 }  // namespace
 
 void add_window_actions(Actions& actions, Session& session, const PicturesState& pictures, const PanelHost& host) {
   ActionGroup(actions, "Scene").add("open", "Open a scene file...", "Ctrl+O", [&] {
     host.ask_file(scene_question(session));
+  });
+  ActionGroup(actions, "Scene").add("paste-permalink", "Open the permalink on the clipboard", "Ctrl+V", [&session] {
+    open_from_clipboard(session);
   });
   ActionGroup scene(actions, "Scene", [&session] { return session.has_scene(); });
   scene.add("reload", "Reload the scene", "Ctrl+R", [&session] { session.reload(); });

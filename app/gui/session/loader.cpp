@@ -3,6 +3,7 @@
 #include <sstream>
 #include <utility>
 
+#include "base/check.h"
 #include "base/failure_text.h"
 
 namespace ps::gui {
@@ -31,6 +32,7 @@ void Loader::load(const std::string& name, std::function<Document()> make, LoadR
       loaded.document = make();
     } catch (const std::exception& error) {
       loaded.error = failure_text(error);
+      if (const auto* input = dynamic_cast<const InputError*>(&error)) loaded.error_file = input->place().file;
     }
     progress.check();
     {

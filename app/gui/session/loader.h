@@ -23,6 +23,7 @@ struct Loaded {
   std::string name;
   std::optional<Document> document;
   std::string error;
+  std::string error_file;  ///< the one in which the error is, if it is in one
   LoadReason reason = LoadReason::open;
 };
 
@@ -42,9 +43,9 @@ class Loader {
   /// What has come since the last call.
   std::optional<Loaded> take();
 
-  /// From now on these files are watched; `take_changed` answers once for each change.
+  /// From now on these files are watched; `take_changed` names those that were written since it was called last.
   void watch(const std::vector<std::filesystem::path>& files) { watch_.watch(files); }
-  bool take_changed() { return watch_.take_changed(); }
+  std::vector<std::filesystem::path> take_changed() { return watch_.take_changed(); }
 
   const std::vector<std::string>& recent() const { return recent_; }
   /// Puts a file in front of the recent ones, so that it is offered.

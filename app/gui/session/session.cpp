@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -16,7 +17,7 @@ namespace ps::gui {
 
 void Session::update() {
   if (auto loaded = loader_.take()) take_loaded(std::move(*loaded));
-  if (loader_.take_changed()) reload();
+  follow_files();
   work_.take_news();
   if (!has_scene()) return;
   request_work();
@@ -67,7 +68,21 @@ void Session::open_permalink(const std::string& text) {
       "permalink", [text] { return linked_document(text); }, LoadReason::permalink);
 }
 
+std::string Session::failed_scene() const {
+  const auto& all = messages().all();
+  const auto failed = std::find_if(all.rbegin(), all.rend(), [](const Message& message) {
+    return message.kind == Message::Kind::error && message.about == Message::About::scene;
+  });
+  return failed == all.rend() ? std::string() : failed->file;
+}
+
 void Session::reload() {
+  if (const std::string failed = failed_scene(); !failed.empty() && failed != document().scene_name)
+    return open(failed);
+  reload_scene();
+}
+
+void Session::reload_scene() {
   if (!has_scene()) return;
   loader_.load(
       document().scene_name,
@@ -78,13 +93,38 @@ void Session::reload() {
       LoadReason::reload);
 }
 
+void Session::follow_files() {
+  const auto changed = loader_.take_changed();
+  if (changed.empty()) return;
+  const auto own = has_scene() ? files_of(document().base) : std::vector<std::string>();
+  const bool of_scene = std::find_first_of(changed.begin(), changed.end(), own.begin(), own.end()) != changed.end();
+  if (of_scene)
+    reload_scene();
+  else
+    reload();
+}
+
+void Session::watch_files() {
+  std::vector<std::filesystem::path> files;
+  if (has_scene())
+    for (const auto& file : files_of(document().base)) files.emplace_back(file);
+  if (!failed_scene().empty()) files.insert(files.end(), failed_files_.begin(), failed_files_.end());
+  loader_.watch(files);
+}
+
 void Session::take_loaded(Loaded loaded) {
   if (loaded.document) return take(std::move(*loaded.document), loaded.reason);
-  if (has_scene())
-    messages().say({Message::Kind::error, fmt::format("{} (the previous scene stays open)", loaded.error),
-                    Message::About::scene, loaded.name});
-  else
-    say(Message::Kind::error, loaded.error);
+  // A scene that could not be opened is meant by a reload, and opened once it is mended, until its message goes.
+  const bool is_scene = loaded.reason != LoadReason::permalink;
+  if (is_scene)
+    messages().remove(
+        [&](const Message& message) { return message.about == Message::About::scene && message.file == loaded.name; });
+  const std::string stays = has_scene() ? " (the previous scene stays open)" : "";
+  messages().say({Message::Kind::error, loaded.error + stays, Message::About::scene, is_scene ? loaded.name : ""});
+  if (!is_scene) return;
+  failed_files_ = {loaded.name};
+  if (!loaded.error_file.empty()) failed_files_.emplace_back(loaded.error_file);
+  watch_files();
 }
 
 void Session::take(Document document, LoadReason reason, const std::string& drag) {
@@ -100,9 +140,7 @@ void Session::step_taken() {
   follow_picture_b();
   if (watched_ == document().scene_name) return;
   watched_ = document().scene_name;
-  std::vector<std::filesystem::path> files;
-  for (const auto& file : files_of(document().base)) files.emplace_back(file);
-  loader_.watch(files);
+  watch_files();
 }
 
 void Session::request_work() {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gui/session/document_store.h"
 #include "gui/session/loader.h"
@@ -53,6 +54,7 @@ class Session final : public DocumentStore {
   /// Loads in the background; the scene that is open stays until it has come, and for good if it cannot be read.
   void open(const std::string& path_or_name);
   void open_permalink(const std::string& text);
+  /// Reads the open scene again, or one that could not be opened, as long as its message is there.
   void reload();
 
   // --- a picture file in B's place ---
@@ -67,6 +69,13 @@ class Session final : public DocumentStore {
   void settle(const Document& before, Document& document) override { events_.settle(before, document); }
   void step_taken() override;
   void take_loaded(Loaded loaded);
+  /// The scene that could not be opened and whose message is still there; empty where there is none.
+  std::string failed_scene() const;
+  void reload_scene();
+  /// Reads what was written anew: the open scene, or the one that failed.
+  void follow_files();
+  /// Watches the files of the open scene, and of one that failed.
+  void watch_files();
   void take(Document document, LoadReason reason, const std::string& drag = {});
   /// Reads the picture file that the document has in B's place, and drops one that it has no longer. One that cannot be
   /// read, or is not of the picture's size, becomes a message, and B is rendered.
@@ -78,8 +87,9 @@ class Session final : public DocumentStore {
   PictureWork work_;
   SelectedEvents events_;
   std::shared_ptr<const PictureFile> picture_b_;
-  std::string watched_;                     // name of the scene whose files are watched
-  std::optional<std::uint64_t> requested_;  // revision that work was last asked for
+  std::string watched_;                              // name of the scene whose files are watched
+  std::vector<std::filesystem::path> failed_files_;  // the scene that could not be opened, and where its error is
+  std::optional<std::uint64_t> requested_;           // revision that work was last asked for
 };
 
 /// Whether a file is a picture, by its name: these are never scenes.

@@ -21,6 +21,7 @@ std::string_view command_words(std::string_view action) {
       {"picture-b", "compare image, compare with a file, reference image, ground truth, diff with a png, import image"},
       {"drop-picture-b", "close the file, remove the reference image"},
       {"copy-permalink", "share, link, url"},
+      {"paste-permalink", "share, link, url, paste, from the clipboard"},
       {"copy-command", "command line, terminal, cli, script"},
       {"mode-presenter", "presentation, projector, beamer, slides, lecture"},
       {"mode-explore", "free mode, sandbox"},

@@ -47,9 +47,9 @@ void FileWatch::watch(const std::vector<std::filesystem::path>& files) {
   }
 }
 
-bool FileWatch::take_changed() {
+std::vector<std::filesystem::path> FileWatch::take_changed() {
   const std::lock_guard lock(mutex_);
-  return std::exchange(changed_, false);
+  return std::exchange(changed_, {});
 }
 
 void FileWatch::work() {
@@ -61,13 +61,12 @@ void FileWatch::work() {
       // Twice the same means that the writer has finished.
       if (now && now != file.known && now == file.last_seen) {
         file.known = now;
+        changed_.push_back(file.path);
         found = true;
       }
       file.last_seen = now;
     }
-    if (!found) continue;
-    changed_ = true;
-    if (wake_) wake_();
+    if (found && wake_) wake_();
   }
 }
 

@@ -14,7 +14,7 @@ namespace ps::gui {
 /// still growing, or that is gone for a moment while an editor replaces it, is waited for.
 class FileWatch {
  public:
-  /// `wake` is called from the watching thread when changed() has become true; it must not block.
+  /// `wake` is called from the watching thread when a file was written; it must not block.
   explicit FileWatch(std::function<void()> wake);
   ~FileWatch();
   FileWatch(const FileWatch&) = delete;
@@ -23,8 +23,8 @@ class FileWatch {
   /// Watches these files instead of the ones before: from their present state on, or, where they were watched already,
   /// from the one last known.
   void watch(const std::vector<std::filesystem::path>& files);
-  /// Whether a watched file was written since the last call.
-  bool take_changed();
+  /// The watched files that were written since the last call.
+  std::vector<std::filesystem::path> take_changed();
 
  private:
   struct State {
@@ -43,7 +43,7 @@ class FileWatch {
   std::mutex mutex_;
   std::condition_variable ending_changed_;
   bool ending_ = false;
-  bool changed_ = false;
+  std::vector<std::filesystem::path> changed_;
   std::vector<File> files_;
   std::thread thread_;
 };

@@ -33,7 +33,7 @@ void LessonShelf::load() {
 
 void LessonShelf::update() {
   // A change while no lesson is open is taken when this one is open again.
-  if (!watch_ || session_.document().lesson != name_ || !watch_->take_changed()) return;
+  if (!watch_ || session_.document().lesson != name_ || watch_->take_changed().empty()) return;
   session_.messages().remove([&](const Message& message) {  // it may have been mended
     return message.about == Message::About::lesson && message.file == name_;
   });

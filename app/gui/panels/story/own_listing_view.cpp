@@ -120,7 +120,7 @@ void file_row(Session& session, OwnListingState& state) {
 }  // namespace
 
 void update_own_listing(Session& session, OwnListingState& state) {
-  if (state.watch.take_changed()) {
+  if (!state.watch.take_changed().empty()) {
     ++state.saves;
     state.stopped = false;
   }

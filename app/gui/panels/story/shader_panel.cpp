@@ -145,7 +145,7 @@ void update_shaders(Session& session, ShaderPanelState& state) {
     state.rows_of.clear();
     if (found->listing) state.watch.watch(found->listing->watched);
   }
-  if (state.watch.take_changed() && session.has_scene())
+  if (!state.watch.take_changed().empty() && session.has_scene())
     for (const RendererRow& row : renderer_table())
       if (row.reload_shaders) state.reload.start(row.reload_shaders);
   if (const auto outcome = state.reload.take()) take_outcome(session, state, *outcome);
