@@ -6,6 +6,8 @@
 #include <array>
 #include <vector>
 
+#include "base/number_text.h"
+
 namespace ps {
 
 MeshBytes bytes_of_mesh(const Mesh& mesh) {
@@ -40,8 +42,9 @@ MeshBytes bytes_of_meshes(const Scene& scene) {
 
 std::string mesh_bytes_text(const MeshBytes& bytes) {
   if (bytes.triangles == 0) return "";
-  return fmt::format("{} vertices for {} triangles: {} bytes shared, {} bytes unshared", bytes.vertices,
-                     bytes.triangles, bytes.shared, bytes.unshared);
+  const auto digits = [](std::uint64_t count) { return with_thousands(std::to_string(count)); };
+  return fmt::format("{} vertices for {} triangles: {} bytes shared, {} bytes unshared", digits(bytes.vertices),
+                     digits(bytes.triangles), digits(bytes.shared), digits(bytes.unshared));
 }
 
 }  // namespace ps

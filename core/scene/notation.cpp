@@ -41,33 +41,46 @@ class NotationReader {
     ++line_;
     if (in_example_) return example_line(line);
     if (line.starts_with(heading)) {
-      parts.emplace_back().name = line.substr(heading.size());
+      page.parts.emplace_back().name = line.substr(heading.size());
       rows_ = 0;
       return;
     }
-    if (parts.empty()) return;
+    if (page.parts.empty()) return before(line);
     if (line.starts_with(fence))
       in_example_ = true;
     else if (line.starts_with("!["))
-      parts.back().picture = file_.parent_path() / line.substr(line.find('(') + 1, line.find(')') - line.find('(') - 1);
+      last().picture = file_.parent_path() / line.substr(line.find('(') + 1, line.find(')') - line.find('(') - 1);
     else if (line.starts_with("|"))
       row(line);
     else if (!line.empty())
-      parts.back().text += (parts.back().text.empty() ? "" : " ") + std::string(line);
-    const auto words = parts.back().text.find(surface_words);
+      add_line(last().text, line);
+    const auto words = last().text.find(surface_words);
     if (words == std::string::npos) return;
-    parts.back().surface = true;
-    parts.back().text = trimmed(std::string_view(parts.back().text).substr(0, words));
+    last().surface = true;
+    last().text = trimmed(std::string_view(last().text).substr(0, words));
   }
 
-  std::vector<NotationPart> parts;
+  Notation page;
 
  private:
+  NotationPart& last() { return page.parts.back(); }
+
+  static void add_line(std::string& text, std::string_view line) {
+    text += (text.empty() ? "" : " ") + std::string(line);
+  }
+
+  /// Keeps the last paragraph before the first construct.
+  void before(std::string_view line) {
+    if (between_) page.text.clear();
+    between_ = line.empty();
+    if (!between_) add_line(page.text, line);
+  }
+
   void example_line(std::string_view line) {
     if (line.starts_with(fence))
       in_example_ = false;
     else
-      parts.back().example += std::string(line) + "\n";
+      last().example += std::string(line) + "\n";
   }
 
   /// The first two rows of a table are its head.
@@ -77,27 +90,27 @@ class NotationReader {
     if (cells.size() != 4)
       throw InputError(fmt::format("{}:{}: found a row of {} cells, expected field, value, default and what it is",
                                    file_.string(), line_, cells.size()));
-    parts.back().fields.push_back({without_ticks(cells[0]), cells[1], cells[2], cells[3]});
+    last().fields.push_back({without_ticks(cells[0]), cells[1], cells[2], cells[3]});
   }
 
   const std::filesystem::path& file_;
   int line_ = 0, rows_ = 0;
-  bool in_example_ = false;
+  bool in_example_ = false, between_ = false;
 };
 
 }  // namespace
 
-std::vector<NotationPart> parse_notation(std::string_view page, const std::filesystem::path& file) {
+Notation parse_notation(std::string_view page, const std::filesystem::path& file) {
   NotationReader reader(file);
   while (!page.empty()) {
     const auto end = std::min(page.find('\n'), page.size());
     reader.take(page.substr(0, end));
     page.remove_prefix(std::min(end + 1, page.size()));
   }
-  return std::move(reader.parts);
+  return std::move(reader.page);
 }
 
-std::vector<NotationPart> scene_notation() {
+Notation scene_notation() {
   const std::filesystem::path file = scene_dir() / "README.md";
   return parse_notation(read_whole_file(file.string()), file);
 }

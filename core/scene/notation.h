@@ -25,9 +25,14 @@ struct NotationPart {
   std::vector<NotationField> fields;
 };
 
+struct Notation {
+  std::string text;  ///< the paragraph before the first construct, in Markdown: units, and how values are written
+  std::vector<NotationPart> parts;
+};
+
 /// Reads the page. Throws InputError naming the line of a table's row that has not four cells.
-std::vector<NotationPart> parse_notation(std::string_view page, const std::filesystem::path& file);
+Notation parse_notation(std::string_view page, const std::filesystem::path& file);
 /// The page that the program ships with. Throws InputError if it cannot be read.
-std::vector<NotationPart> scene_notation();
+Notation scene_notation();
 
 }  // namespace ps

@@ -1,4 +1,4 @@
-// The words that people type into the palette lead right with its first line. They are those of a trial of the window
+// The words that people type into the palette lead right with its first line. Most are those of a trial of the window
 // in which 17 of 50 led nowhere.
 #include <gtest/gtest.h>
 
@@ -68,6 +68,10 @@ constexpr std::array words{
     Word{"screenshot", "shot-window"},
     Word{"histogram", "difference"},
     Word{"help", "help"},
+    Word{"notation", "scene-notation"},
+    Word{"scene file", "scene-notation"},
+    Word{"syntax", "scene-notation"},
+    Word{"vertex numbers", "projected-vertices"},
     Word{"fps", "missing/frame rate"},
     Word{"depth of field", "missing/depth of field"},
     Word{"ambient occlusion", "missing/ambient occlusion"},

@@ -47,6 +47,8 @@ TEST(MeshBytes, VerticesThatDifferInAnAttributeAreTwo) {
   EXPECT_EQ(bytes_of_mesh(two).shared, 6u * 20 + 24);
   EXPECT_EQ(bytes_of_mesh(Mesh{}).unshared, 0u);
   EXPECT_EQ(mesh_bytes_text({}), "");
+  EXPECT_EQ(mesh_bytes_text({1280, 642, 15360, 46080}),
+            "642 vertices for 1,280 triangles: 15,360 bytes shared, 46,080 bytes unshared");
 }
 
 TEST(MeshBytes, AModelCountsOnceHoweverManyInstances) {

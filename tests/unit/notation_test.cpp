@@ -82,7 +82,7 @@ bool is_block(const std::string& key) {
 }
 
 TEST(Notation, ThePageHasWhatTheParserTakes) {
-  const auto page = scene_notation();
+  const auto page = scene_notation().parts;
   std::set<std::string> surface;
   std::map<std::string, std::set<std::string>> listed;
   for (const NotationPart& part : page) {
@@ -122,7 +122,7 @@ TEST(Notation, ThePageHasWhatTheParserTakes) {
 
 TEST(Notation, EveryExampleGivesItsPicture) {
   std::size_t compared = 0;
-  for (const NotationPart& part : scene_notation()) {
+  for (const NotationPart& part : scene_notation().parts) {
     SCOPED_TRACE(part.name);
     ASSERT_FALSE(part.example.empty());
     ASSERT_FALSE(part.text.empty());
@@ -136,6 +136,15 @@ TEST(Notation, EveryExampleGivesItsPicture) {
     ++compared;
   }
   EXPECT_EQ(compared, places().size() + 2);
+}
+
+TEST(Notation, ThePageBeginsWithUnitsAndFormsOfValues) {
+  const Notation page =
+      parse_notation("# Title\n\nWhat it is.\n\nLengths in\nmetres.\n\n## light\nA lamp.\n", "page.md");
+  EXPECT_EQ(page.text, "Lengths in metres.");
+  ASSERT_EQ(page.parts.size(), 1u);
+  EXPECT_EQ(page.parts[0].text, "A lamp.");
+  EXPECT_NE(scene_notation().text.find("Lengths are in world units, angles in degrees."), std::string::npos);
 }
 
 TEST(Notation, ARowOfAnotherFormIsRefused) {

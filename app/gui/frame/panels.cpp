@@ -9,6 +9,7 @@
 #include "gui/panels/lesson/notes_sheet.h"
 #include "gui/panels/microscope/microscope_panel.h"
 #include "gui/panels/pictures/pixels_panel.h"
+#include "gui/panels/scenes/notation_sheet.h"
 #include "gui/panels/scenes/scene_gallery.h"
 #include "gui/panels/space/space_panel.h"
 #include "gui/panels/story/listing_panel.h"
@@ -42,6 +43,7 @@ Panels::Panels(const PanelHost& host)
   all_.emplace_back(picker);
   add<KeptPanel>();
   add<GlossarySheet>();
+  add<NotationSheet>();
   add<NotesSheet>(lessons.state.shelf);
   all_.emplace_back(dropped);
   PS_ASSERT(std::all_of(tool_names::all.begin(), tool_names::all.end(),

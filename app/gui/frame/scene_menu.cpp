@@ -29,6 +29,7 @@ void MenuBar::scene_menu() {
   menu_action(actions_, "open");
   menu_action(actions_, "paste-permalink");
   menu_action(actions_, "scenes");
+  menu_action(actions_, "scene-notation");
   if (!session_.loader().recent().empty() && begin_menu("menu/recent", "Recent")) {
     for (const auto& name : std::vector<std::string>(session_.loader().recent())) {
       if (menu_item("recent/" + name, short_path(name))) session_.open(name);

@@ -26,6 +26,8 @@ std::string_view command_words(std::string_view action) {
       {"mode-presenter", "presentation, projector, beamer, slides, lecture"},
       {"mode-explore", "free mode, sandbox"},
       {"mode-study", "measure, benchmark"},
+      {"scene-notation", "notation, scene file, syntax, file format, how to write a scene"},
+      {"projected-vertices", "vertex numbers, mark the vertices, show points of the model"},
       {"scenes", "scene list, examples, samples"},
       {"lessons", "course, tutorial, learn, chapters"},
       {"kept", "preset, bookmark, favourite"},

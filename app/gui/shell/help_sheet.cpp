@@ -89,19 +89,13 @@ bool HelpSheet::take_key(const Chord& chord) {
 void HelpSheet::draw(const Actions& actions) {
   values().publish("help/open", open_);
   if (!open_) return;
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const ImVec2 size{std::min(px(1260), display.x - px(40)), std::min(px(860), display.y - px(40))};
-  const Overlay sheet("##help", {(display.x - size.x) / 2, (display.y - size.y) / 2}, size,
-                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove, just_opened_);
-  {
-    const NameScope names("help");
-    const FontScope title(Face::heading);
-    ImGui::TextUnformatted("Keys");
-    const FontScope body(Face::body);
-    ImGui::SameLine(size.x - px(24) - px(84));
-    if (button("close", "Close", Emphasis::plain, {.width = px(84)})) open_ = false;
+  const NameScope names("help");
+  const Overlay sheet("##help", {1260, 860}, just_opened_);
+  if (overlay_title("Keys")) open_ = false;
+  if (button("notation", "Scene notation", Emphasis::plain, {.tooltip = "What a scene file may say."})) {
+    open_ = false;
+    actions.run("scene-notation");
   }
-  ImGui::Dummy({0, px(4)});
   ImGui::BeginChild("##sheet");
   const int columns = std::max(1, static_cast<int>(ImGui::GetContentRegionAvail().x / px(330)));
   // Groups fill the columns from the top, each column about as long as the others.

@@ -2,32 +2,40 @@
 
 #include <algorithm>
 
-#include "gui/theme/theme.h"
+#include "gui/widgets/widgets.h"
 
 namespace ps::gui {
 
-Overlay::Overlay(const char* id, ImVec2 corner, ImVec2 size, ImGuiWindowFlags flags, bool& just_opened)
-    : just_opened_(just_opened) {
-  ImGui::SetNextWindowPos(corner);
+namespace {
+
+constexpr double padding = 24, close_width = 84;
+
+}  // namespace
+
+Overlay::Overlay(const char* id, ImVec2 largest, bool& just_opened) : just_opened_(just_opened) {
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const ImVec2 size{std::min(px(largest.x), display.x - px(40)), std::min(px(largest.y), display.y - px(40))};
+  ImGui::SetNextWindowPos({(display.x - size.x) / 2, (display.y - size.y) / 2});
   ImGui::SetNextWindowSize(size);
   ImGui::SetNextWindowFocus();
-  begin(id, flags);
+  begin(id);
 }
 
 Overlay::Overlay(const char* id, float width, bool& just_opened) : just_opened_(just_opened) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(width, display.x - px(40)), 0});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {display.x, display.y - px(40)});
   if (just_opened) ImGui::SetNextWindowFocus();  // once, else no list could open
-  begin(id, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+  begin(id);
 }
 
-void Overlay::begin(const char* id, ImGuiWindowFlags flags) {
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(24), px(16)});
+void Overlay::begin(const char* id) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(padding), px(16)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette().field);
-  ImGui::Begin(id, nullptr, flags);
+  ImGui::Begin(id, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
 }
 
 bool Overlay::left() const {
@@ -41,6 +49,21 @@ Overlay::~Overlay() {
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(3);
+}
+
+bool overlay_title(const char* title) {
+  {
+    const FontScope font(Face::heading);
+    ImGui::TextUnformatted(title);
+  }
+  const bool closed = close_at_end();
+  ImGui::Dummy({0, px(4)});
+  return closed;
+}
+
+bool close_at_end() {
+  ImGui::SameLine(ImGui::GetWindowWidth() - px(padding) - px(close_width));
+  return button("close", "Close", Emphasis::plain, {.width = px(close_width)});
 }
 
 }  // namespace ps::gui

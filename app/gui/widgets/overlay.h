@@ -7,7 +7,8 @@ namespace ps::gui {
 /// click that did so does not count.
 class Overlay {
  public:
-  Overlay(const char* id, ImVec2 corner, ImVec2 size, ImGuiWindowFlags flags, bool& just_opened);
+  /// In the middle, as large as the window lets it be, at most `largest` at scale 1.
+  Overlay(const char* id, ImVec2 largest, bool& just_opened);
   /// In the middle, as high as its content; what is in it may have lists that open.
   Overlay(const char* id, float width, bool& just_opened);
   ~Overlay();
@@ -18,9 +19,17 @@ class Overlay {
   bool left() const;
 
  private:
-  void begin(const char* id, ImGuiWindowFlags flags);
+  void begin(const char* id);
 
   bool& just_opened_;
 };
+
+/// As large as the window lets an overlay be.
+inline const ImVec2 whole_window{1e5f, 1e5f};
+
+/// The title of an overlay, and at the right end of its line "close". Answers whether that was clicked.
+bool overlay_title(const char* title);
+/// "close" at the right end of the line that was begun.
+bool close_at_end();
 
 }  // namespace ps::gui

@@ -143,20 +143,9 @@ void KeptPanel::add_actions(Actions& actions) {
 
 bool KeptPanel::draw(const Context&) {
   if (!open_ || !session_.has_scene()) return false;
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const float width = std::min(px(600), display.x - px(40)), height = std::min(px(620), display.y - px(60));
-  const Overlay window("##kept", {(display.x - width) / 2, (display.y - height) / 2}, {width, height},
-                       ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                           ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings,
-                       just_opened_);
   const NameScope names("kept");
-  {
-    const FontScope title(Face::heading);
-    ImGui::TextUnformatted("Presets and bookmarks");
-  }
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - button_width("Close"));
-  if (button("close", "Close", Emphasis::plain)) open_ = false;
-  ImGui::Dummy({0, px(4)});
+  const Overlay window("##kept", px(600), just_opened_);
+  if (overlay_title("Presets and bookmarks")) open_ = false;
   presets();
   ImGui::Dummy({0, px(8)});
   bookmarks();

@@ -1,6 +1,5 @@
 #include "gui/panels/lesson/glossary_sheet.h"
 
-#include <algorithm>
 #include <vector>
 
 #include "base/check.h"
@@ -93,16 +92,8 @@ void GlossarySheet::offer(Values& out) {
 bool GlossarySheet::draw(const Context&) {
   if (!open_) return false;
   const NameScope names("glossary");
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const ImVec2 size{std::min(px(760), display.x - px(40)), std::min(px(720), display.y - px(40))};
-  const Overlay overlay("##glossary", {(display.x - size.x) / 2, (display.y - size.y) / 2}, size,
-                        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove, just_opened_);
-  {
-    const FontScope title(Face::heading);
-    ImGui::TextUnformatted("Glossary");
-  }
-  ImGui::SameLine(size.x - px(24) - px(84));
-  if (button("close", "Close", Emphasis::plain, {.width = px(84)})) open_ = false;
+  const Overlay overlay("##glossary", {760, 720}, just_opened_);
+  if (overlay_title("Glossary")) open_ = false;
   search_box("search", search_, "Search terms and definitions");
   ImGui::Dummy({0, px(4)});
   std::optional<LinkTarget> followed;

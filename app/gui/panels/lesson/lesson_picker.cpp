@@ -157,8 +157,7 @@ void LessonPicker::title_row() {
   ImGui::SetCursorPosY(top);
   ImGui::AlignTextToFramePadding();
   value_text("count", found_text());
-  ImGui::SameLine(ImGui::GetWindowWidth() - px(24) - px(84));
-  if (button("close", "Close", Emphasis::plain, {.width = px(84)})) open_ = false;
+  if (close_at_end()) open_ = false;
   ImGui::Dummy({0, px(2)});
 }
 
@@ -187,12 +186,10 @@ void LessonPicker::show() {
 
 bool LessonPicker::draw(const Context&) {
   if (!open_) return false;
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
   const bool opened_now = just_opened_;
   Chosen chosen;
   {
-    const Overlay window("##picker", {px(20), px(20)}, {display.x - px(40), display.y - px(40)},
-                         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove, just_opened_);
+    const Overlay window("##picker", whole_window, just_opened_);
     const NameScope names("picker");
     title_row();
     help_with_query();

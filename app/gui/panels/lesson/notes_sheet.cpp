@@ -56,16 +56,8 @@ bool NotesSheet::draw(const Context&) {
   const NameScope names("notes");
   const int count = static_cast<int>(lesson->steps.size());
   const int index = std::clamp(session_.document().step, 0, count - 1);
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const ImVec2 size{std::min(px(640), display.x - px(40)), std::min(px(420), display.y - px(40))};
-  const Overlay overlay("##notes", {(display.x - size.x) / 2, (display.y - size.y) / 2}, size,
-                        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove, just_opened_);
-  {
-    const FontScope title(Face::heading);
-    ImGui::TextUnformatted("For the teacher");
-  }
-  ImGui::SameLine(size.x - px(24) - px(84));
-  if (button("close", "Close", Emphasis::plain, {.width = px(84)})) open_ = false;
+  const Overlay overlay("##notes", {640, 420}, just_opened_);
+  if (overlay_title("For the teacher")) open_ = false;
   quiet_text(fmt::format("Step {} of {}: {}", index + 1, count, lesson->steps[static_cast<std::size_t>(index)].title));
   if (index == 0) quiet_text("The lesson takes " + length_text(length_of(*lesson)) + ".");
   ImGui::Dummy({0, px(4)});

@@ -114,6 +114,8 @@ void add_view_actions(Actions& actions, Session& session, PicturesState& picture
   };
   flag("grid", "Grid and numbers in large pixels", "G", pictures.grid);
   flag("handles", "Handles of lights and objects", "H", pictures.handles);
+  flag("projected-vertices", "Projected vertices over the picture, with their numbers in large pixels", "Shift+V",
+       pictures.vertices.on);
   flag("gizmo", "Gizmo: move, turn and scale the picked object", "T", pictures.selection.gizmo);
   view.add("channel-next", "Next channel", "N", [&session] { next_channel(session, 1); });
   view.add("channel-before", "Previous channel", "Shift+N", [&session] { next_channel(session, -1); });

@@ -187,6 +187,7 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
   }
   const auto handles_in = [&](Side which, const Area& clip) {
     if (state.drawn.covers.hidden[index_of(which)]) return;
+    draw_vertex_marks(session, state.vertices, which, state.drawn.transform, area, clip);
     picture_handles(session, state, which, area, clip, which == Side::a ? "view/a" : "view/b", hovered);
   };
   if (split) {

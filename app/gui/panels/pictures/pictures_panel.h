@@ -10,6 +10,7 @@
 #include "gui/panels/pictures/picture_transform.h"
 #include "gui/panels/pictures/picture_view.h"
 #include "gui/panels/pictures/slow_motion.h"
+#include "gui/panels/pictures/vertex_marks.h"
 #include "gui/session/gizmo.h"
 #include "gui/session/handles.h"
 #include "gui/session/picked_object.h"
@@ -135,6 +136,7 @@ struct PicturesState {
   StoryAhead ahead;  ///< of the picture under the mouse
   bool grid = true;
   bool handles = true;  ///< lights and spheres can be dragged
+  VertexMarks vertices;
   PictureKeys keys;
   DrawnPictures drawn;
   PictureMouse mouse;

@@ -81,9 +81,7 @@ void SceneGallery::offer(Values& out) {
 
 bool SceneGallery::draw(const Context&) {
   if (!open_) return false;
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const Overlay window("##scenes", {px(20), px(20)}, {display.x - px(40), display.y - px(40)},
-                       ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove, just_opened_);
+  const Overlay window("##scenes", whole_window, just_opened_);
   const NameScope names("scenes");
   {
     const FontScope title(Face::heading);
@@ -96,8 +94,7 @@ bool SceneGallery::draw(const Context&) {
   ImGui::SameLine();
   value_text("count", found.empty() ? "No scene has these words."
                                     : std::to_string(found.size()) + (found.size() == 1 ? " scene" : " scenes"));
-  ImGui::SameLine(ImGui::GetWindowWidth() - px(24) - px(84));
-  if (button("close", "Close", Emphasis::plain, {.width = px(84)})) open_ = false;
+  if (close_at_end()) open_ = false;
   ImGui::Dummy({0, px(2)});
   ImGui::BeginChild("##tiles");
   std::string chosen = tiles(found);

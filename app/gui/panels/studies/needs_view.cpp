@@ -120,6 +120,11 @@ void needs_shares(const Needs& needs, bool timed, SmallPictures& thumbnails) {
     ImGui::EndTable();
   }
   quiet_text(settings_in_words(truth_sentence(needs)));
+  if (const std::string meshes = mesh_bytes_text(needs.meshes); !meshes.empty()) {
+    value_paragraph("meshes", fmt::format("Its meshes: {}.", meshes));
+    tooltip("In single precision. Shared: each vertex once, and three indices a triangle. Unshared: three vertices a "
+            "triangle (CGPP 15.4).");
+  }
   unused_features(needs.shares);
 }
 
