@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "base/check.h"
+#include "base/number_text.h"
 #include "options/renderer_kind.h"
 #include "options/scene_settings.h"
 #include "study/renderer_sweep.h"
@@ -28,9 +29,12 @@ std::string canonical(const Option& option, std::string_view text) {
   return option_text(option, settings);
 }
 
+/// The text of the nearest whole number or, for a real option, of the nearest one that four digits write: 1.5, where an
+/// even division gives 1.5000000000000002.
 std::string number_text(const Option& option, double value) {
   Settings settings;
-  option.set(settings, option.kind == OptionKind::integer ? std::round(value) : value);
+  option.set(settings, option.kind == OptionKind::integer ? std::round(value)
+                                                          : parse_number(fmt::format("{:.4g}", value)).value());
   return option_text(option, settings);
 }
 

@@ -108,6 +108,9 @@ TEST(Sweep, StandardValuesOfEveryOptionAreValidAndDifferent) {
     for (const std::string& value : values) {
       EXPECT_NO_THROW(parse_option(option, value, settings)) << option.key << "=" << value;
       EXPECT_TRUE(seen.insert(option_text(option, settings)).second) << option.key << "=" << value;
+      if (option.kind != OptionKind::choice) {
+        EXPECT_LE(value.size(), 8u) << option.key << "=" << value;
+      }
     }
   }
 }
