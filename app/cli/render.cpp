@@ -174,6 +174,9 @@ int run_render(const RenderArguments& arguments) {
   const ShownChannel asked = arguments.field.empty() ? document.a.show : ShownChannel::field;
   const ShownChannel show = arguments.show.empty() ? asked : parse_shown_channel(arguments.show);
   if (show == ShownChannel::field && !document.field) throw InputError("--show field: needs --field");
+  if (show == ShownChannel::field)
+    if (const auto reason = no_field_reason(document.a.settings.renderer, document.field->query); !reason.empty())
+      throw InputError(fmt::format("--field: {}", reason));
   for (const std::string& file : {arguments.output, arguments.stats}) require_no_input(file, files_of(document.scene));
   document.a.show = show;
   const View view = view_of(document);

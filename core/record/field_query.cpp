@@ -79,13 +79,15 @@ RayKind parse_ray(std::string_view text) {
 
 }  // namespace
 
+std::optional<double> number_in(const FieldValue& value, int component) { return std::visit(Number{component}, value); }
+
 bool matches(const FieldQuery& query, const EventData& data) {
   return event_kind(data) == query.kind && (query.subject.empty() || subject_of(data) == query.subject);
 }
 
 std::optional<double> field_number(const FieldQuery& query, const EventData& data) {
   const auto value = event_field(data, query.key);
-  return value ? std::visit(Number{query.component}, *value) : std::nullopt;
+  return value ? number_in(*value, query.component) : std::nullopt;
 }
 
 std::optional<FieldQuery> field_query(const std::vector<Event>& events, int event, std::string_view key,
@@ -140,12 +142,22 @@ FieldQuery parse_field_query(std::string_view text) {
   if (space != std::string_view::npos) query.subject = trimmed(event.substr(space));
   if (const auto dot = field.rfind('.'); dot != std::string_view::npos) {
     const auto component = parse_integer<int>(field.substr(dot + 1));
-    if (!component || *component < 0 || *component > 2)
+    const bool found = component && *component >= 0 && *component <= 2;
+    // The name of a listing's value may have a point: "N . L".
+    if (!found && !query.of_listing())
       throw InputError(fmt::format("field: '{}' has no 0, 1 or 2 after its last point", whole));
-    query.component = *component;
-    field = field.substr(0, dot);
+    if (found) query.component = *component;
+    if (found) field = field.substr(0, dot);
   }
   query.key = field;
+  if (query.of_listing()) {
+    std::string_view line = query.subject;
+    if (!take_integer<int>(line) || !query.path.empty() || query.key.empty())
+      throw InputError(fmt::format(
+          "field: found '{}', expected a line of a listing and a value, such as 'listing-line 28: discriminant'",
+          whole));
+    return query;
+  }
   const auto keys = field_keys(query.kind);
   if (keys.empty() || is_among(unshared, query.kind))
     throw InputError(
@@ -159,6 +171,12 @@ std::string field_query_words(const FieldQuery& query) {
   std::string key = query.key;
   std::replace(key.begin(), key.end(), '-', ' ');
   if (query.component >= 0) key += fmt::format(" {}", "xyz"[std::min(query.component, 2)]);
+  if (query.of_listing()) {
+    const auto space = query.subject.find(' ');
+    const std::string within = space == std::string::npos ? "" : ", " + query.subject.substr(space + 1);
+    const std::string again = query.order > 0 ? fmt::format(", time {}", query.order + 1) : "";
+    return fmt::format("{} in the listing{}{}", key, within, again);
+  }
   std::string words = fmt::format("{} of {}{}{}", key, query.kind, query.subject.empty() ? "" : " ", query.subject);
   for (const RayKind ray : query.path) words += fmt::format(", {} ray", event_key(ray));
   if (query.order > 0) words += fmt::format(", number {}", query.order + 1);

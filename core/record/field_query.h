@@ -9,16 +9,22 @@
 
 namespace ps {
 
-/// One number of a pixel's story, so named that other pixels have it too: "hit: t", "light 1: n-dot-l",
-/// "reflection > hit: point.2".
+/// The kind of a query about the lines of a listing.
+constexpr std::string_view listing_line = "listing-line";
+
+/// One number of a pixel's story, or one that a line of a listing had in the work for the pixel, so named that other
+/// pixels have it too: "hit: t", "light 1: n-dot-l", "reflection > hit: point.2", "listing-line 28 sphere red:
+/// discriminant".
 struct FieldQuery {
   std::vector<RayKind> path;  ///< the rays below the eye ray in which it is reported
-  std::string kind;           ///< of the event: "light"
-  std::string subject;        ///< what the event is about: "1" of light 1; empty = whatever it is
+  std::string kind;           ///< of the event: "light"; or listing_line
+  std::string subject;        ///< what the event is about: "1" of light 1; empty = whatever it is. Of a line its number
+                              ///< and the innermost loop around it in the pixel's work: "28 sphere red"
   int order = 0;              ///< how many such events are passed over; of a rasterizer's, within the fragment
   std::string key;            ///< of the field: "n-dot-l"
   int component = -1;         ///< of a vector; -1 = the number itself, a vector's length, an object's index
   bool operator==(const FieldQuery&) const = default;
+  bool of_listing() const { return kind == listing_line; }
 };
 
 /// The query for a field of an event of a story; absent where the field holds a word or a list, or where the event is
@@ -36,6 +42,9 @@ std::string field_query_words(const FieldQuery& query);
 
 /// Is this the kind of event, on the way `path`, and the subject, that is asked for?
 bool matches(const FieldQuery& query, const EventData& data);
+
+/// The number itself, a component of a vector (-1: its length), the object's index; absent for words and lists.
+std::optional<double> number_in(const FieldValue& value, int component);
 
 /// The number that the event has there; absent where it has none.
 std::optional<double> field_number(const FieldQuery& query, const EventData& data);

@@ -32,6 +32,8 @@ struct RendererRow {
   /// One number of every pixel's story, by the kernels that inspect() runs, into an image of NaN. nullptr: it reports
   /// its steps for one pixel at a time.
   void (*find_field)(const FieldInputs& asked, Image<float>& values, Prepared& prepared, Progress& progress) = nullptr;
+  /// Are its numbers values on the lines of a listing, not fields of events?
+  bool finds_lines = false;
   /// The counters that both give; all others are absent from frames and stories.
   CounterSet counts;
   /// The code path that draws a whole picture, and why not a faster one.

@@ -6,10 +6,12 @@ WatchCollector::WatchCollector(std::optional<Vec2i> pixel) : outer_(detail::watc
   detail::watch_collector = this;
 }
 
+WatchCollector::WatchCollector(PixelSink sink) : WatchCollector() { sink_ = std::move(sink); }
+
 WatchCollector::~WatchCollector() { detail::watch_collector = outer_; }
 
 void WatchCollector::add(int line, std::string_view name, WatchValue value) {
-  if (silent_ > 0) return;
+  if (silent_ > 0 || (sink_ && in_pixels_ == 0)) return;
   if (watches_.size() < limit && (open_.empty() || open_.back().instance >= 0))
     watches_.push_back({line, name, std::move(value), innermost()});
   else
@@ -28,9 +30,14 @@ void WatchCollector::open(int line, std::string_view name, WatchValue value, Wat
 
 void WatchCollector::close() {
   if (silent_ > 0) return;
+  const Open& last = open_.back();
+  close_keeping(sink_ ? in_pixels_ > 0 : last.keep == WatchKeep::always || last.reached);
+}
+
+void WatchCollector::close_keeping(bool all) {
   const Open last = open_.back();
   open_.pop_back();
-  if (last.keep == WatchKeep::always || last.reached) return;
+  if (all) return;
   if (last.watches < watches_.size()) watches_.resize(last.watches);
   if (last.instances < instances_.size()) instances_.resize(last.instances);
 }
@@ -42,13 +49,23 @@ void WatchCollector::open_pixel(int line, int x, int y) {
   }
   open(line, "pixel", Vec2d(x, y), WatchKeep::always);
   for (Open& open : open_) open.reached = true;
+  ++in_pixels_;
 }
 
 void WatchCollector::close_pixel() {
-  if (silent_ > 0)
+  if (silent_ > 0) {
     --silent_;
-  else
-    close();
+    return;
+  }
+  --in_pixels_;
+  if (!sink_) return close();
+  const Open& work = open_.back();
+  if (work.instance >= 0) {
+    const auto place = std::get<Vec2d>(instances_[static_cast<std::size_t>(work.instance)].value);
+    sink_({static_cast<int>(place.x), static_cast<int>(place.y)},
+          std::span<const Watch>(watches_).subspan(work.watches), instances_);
+  }
+  close_keeping(false);
 }
 
 }  // namespace ps

@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -72,6 +74,11 @@ class WatchCollector {
 
   /// `pixel` is the one that is asked for, as PS_PIXEL counts; without one PS_PIXEL listens to all.
   explicit WatchCollector(std::optional<Vec2i> pixel = {});
+  /// What the work for one pixel had, and all instances, which Watch::instance counts.
+  using PixelSink =
+      std::function<void(Vec2i pixel, std::span<const Watch> watches, const std::vector<WatchInstance>& instances)>;
+  /// Hands over the work for every pixel at its end, and keeps nothing.
+  explicit WatchCollector(PixelSink sink);
   ~WatchCollector();
   WatchCollector(const WatchCollector&) = delete;
   WatchCollector& operator=(const WatchCollector&) = delete;
@@ -100,13 +107,18 @@ class WatchCollector {
   };
   int innermost() const { return open_.empty() ? -1 : open_.back().instance; }
 
+  /// Ends the innermost instance; what is in it goes, unless it is to be kept.
+  void close_keeping(bool all);
+
   WatchCollector* outer_;
   std::optional<Vec2i> pixel_;
+  PixelSink sink_;
   std::vector<Watch> watches_;
   std::vector<WatchInstance> instances_;
   std::vector<Open> open_;
   std::size_t dropped_ = 0;
-  int silent_ = 0;  // blocks of other pixels that are open
+  int silent_ = 0;     // blocks of other pixels that are open
+  int in_pixels_ = 0;  // blocks of pixels that are open
 };
 
 /// An instance for as long as it lives.

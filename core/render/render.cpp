@@ -33,7 +33,7 @@ void find_field(Frame& frame, const RendererRow& row, const WorkingScene& workin
   const View& view = working.view();
   frame.field = Image<float>(view.width, view.height, std::numeric_limits<float>::quiet_NaN());
   frame.shown_field = request.field;
-  if (!request.field || !row.find_field) return;
+  if (!request.field || !no_field_reason(row.renderer, request.field->query).empty()) return;
   const Settings& settings = working.settings();
   const FieldInputs asked{working.scene(),
                           view,
@@ -46,6 +46,14 @@ void find_field(Frame& frame, const RendererRow& row, const WorkingScene& workin
 }
 
 }  // namespace
+
+std::string_view no_field_reason(Renderer renderer, const FieldQuery& query) {
+  const RendererRow& row = renderer_row(renderer);
+  if (!row.find_field) return "This renderer reports its steps for one pixel at a time, so it shows no number for all.";
+  if (row.finds_lines == query.of_listing()) return {};
+  return row.finds_lines ? "A listing shows values of its lines, such as 'listing-line 28: discriminant'."
+                         : "Only a listing has lines; this renderer shows numbers of its own story.";
+}
 
 Frame render(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
              Prepared& prepared, Progress& progress) {

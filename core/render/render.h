@@ -4,6 +4,7 @@
 #include "frame/prepared.h"
 #include "frame/view.h"
 #include "options/settings.h"
+#include "record/field_query.h"
 #include "record/story.h"
 #include "scene/scene.h"
 
@@ -17,6 +18,9 @@ Frame render(const Scene& scene, const View& view, const Settings& settings, con
 
 /// The same, for callers who want only a picture.
 Frame render(const Scene& scene, const View& view, const Settings& settings);
+
+/// Why the renderer cannot show that number for every pixel, as a sentence; empty where it can.
+std::string_view no_field_reason(Renderer renderer, const FieldQuery& query);
 
 /// Repeats the work of the renderer for one pixel (array position) and reports it. The pixel must lie in the view.
 PixelStory inspect(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel, Prepared& prepared,

@@ -69,12 +69,14 @@ class BookCanvas {
   const Vec3d& at(int column, int row) const { return colours_.at(column - part_.x0, row - part_.y0); }
   const TileRect& part() const { return part_; }
 
- private:
-  void note(const Vec2i& place, const Vec3d& colour);  // elsewhere, so that put_pixel is short
+  /// The place in the part of a position, which may lie outside of it.
   Vec2i place_of(double x, double y) const {
     if (!(std::abs(x) < reach_ && std::abs(y) < reach_)) return {-1, -1};
     return {static_cast<int>(x) + width_ / 2 - part_.x0, height_ - height_ / 2 - 1 - static_cast<int>(y) - part_.y0};
   }
+
+ private:
+  void note(const Vec2i& place, const Vec3d& colour);  // elsewhere, so that put_pixel is short
 
   int width_, height_;
   double reach_;  // pixels from the centre

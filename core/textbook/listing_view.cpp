@@ -123,7 +123,8 @@ std::vector<ListingRow> ListingView::rows() const {
     row->count = static_cast<int>(counted.size());
     row->place = static_cast<int>(std::find(counted.begin(), counted.end(), chosen) - counted.begin()) + 1;
   }
-  for (const Watch& watch : trace_.watches) {
+  for (std::size_t i = 0; i < trace_.watches.size(); ++i) {
+    const Watch& watch = trace_.watches[i];
     if (watch.instance >= 0) {
       const int line = trace_.instances[static_cast<std::size_t>(watch.instance)].line;
       if (chosen_.at(line) != watch.instance) continue;
@@ -132,7 +133,8 @@ std::vector<ListingRow> ListingView::rows() const {
     if (!row) continue;
     const std::size_t same = static_cast<std::size_t>(std::count_if(
         row->values.begin(), row->values.end(), [&](const ListingValue& v) { return v.name == watch.name; }));
-    if (same < most_values) row->values.push_back({std::string(watch.name), watch_text(watch.value)});
+    if (same < most_values)
+      row->values.push_back({std::string(watch.name), watch_text(watch.value), static_cast<int>(i)});
   }
   return rows;
 }

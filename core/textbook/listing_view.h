@@ -27,6 +27,7 @@ ListingText load_listing_text(const NamedListing& listing);
 /// A value beside a line.
 struct ListingValue {
   std::string name, value;
+  int watch = -1;  ///< its place in the trace
 };
 
 /// One line with what it had in the instances that are chosen.

@@ -17,8 +17,6 @@
 namespace ps {
 namespace {
 
-constexpr int tile_size = 64;
-
 /// Copies a finished canvas into the frame and counts colours that are NaN.
 std::uint64_t store(const BookCanvas& canvas, Frame& frame) {
   std::uint64_t nan = 0;
@@ -35,6 +33,16 @@ std::uint64_t store(const BookCanvas& canvas, Frame& frame) {
 
 }  // namespace
 
+std::vector<TileRect> listing_tiles(const Listing& listing, const View& view, const TileRect& region) {
+  constexpr int tile_size = 64;
+  if (is_empty(region)) return {};
+  if (listing.order != ListingOrder::pixel_by_pixel) return {region};
+  std::vector<TileRect> tiles;
+  for (const TileRect& tile : make_tiles(view.width, view.height, tile_size))
+    if (const TileRect part = common_part(tile, region); !is_empty(part)) tiles.push_back(part);
+  return tiles;
+}
+
 Frame render_textbook(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
                       Prepared&, Progress& progress) {
   const Timer timer;
@@ -43,13 +51,7 @@ Frame render_textbook(const Scene& scene, const View& view, const Settings& sett
   const TileRect region = asked_region(request, view.width, view.height);
   Frame frame = empty_frame<double>(view, request);
   clear_outside({}, frame);  // a listing makes colours alone
-  std::vector<TileRect> tiles;
-  if (!is_empty(region)) tiles.push_back(region);
-  if (listing.order == ListingOrder::pixel_by_pixel) {
-    tiles.clear();
-    for (const TileRect& tile : make_tiles(view.width, view.height, tile_size))
-      if (const TileRect part = common_part(tile, region); !is_empty(part)) tiles.push_back(part);
-  }
+  const std::vector<TileRect> tiles = listing_tiles(listing, view, region);
   std::vector<std::uint64_t> nan(tiles.size());
   parallel_for(static_cast<int>(tiles.size()), {settings.threads, request.priority}, progress, [&](int index, int) {
     const TileRect& tile = tiles[static_cast<std::size_t>(index)];

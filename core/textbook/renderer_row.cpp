@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "options/listing.h"
+#include "textbook/listing_field.h"
 #include "textbook/renderer.h"
 #include "textbook/slow_motion.h"
 
@@ -96,6 +97,8 @@ RendererRow textbook_row() {
   return {.renderer = Renderer::textbook,
           .render = render_textbook,
           .inspect = inspect_textbook,
+          .find_field = find_field_of_listing,
+          .finds_lines = true,
           .counts = {Counter::nan_pixels},
           .fast_path = textbook_path,
           .left_out = gaps_of_listing,

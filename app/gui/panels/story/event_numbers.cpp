@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "gui/panels/story/shown_field.h"
 #include "gui/widgets/draw.h"
 #include "inspect/describe.h"
 #include "inspect/face_data.h"
@@ -143,13 +144,8 @@ std::optional<ClickedNumber> event_numbers(const std::string& name, const Event&
         }
         const bool vector = numbers->size() > 1;
         controls().record(fmt::format("{}/{}{}", name, fields[i].key, vector ? fmt::format(".{}", k) : ""), text);
-        if (ImGui::IsItemHovered()) {
-          ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-          const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-          ImGui::GetWindowDrawList()->AddLine({low.x, high.y}, high, colour_u32(palette().text_quiet));
-        }
-        if (ImGui::IsItemClicked()) clicked = {std::string(fields[i].key), vector ? static_cast<int>(k) : -1};
-        tooltip(fmt::format("{}\nClick: shows this number for every pixel.", full_number((*numbers)[k])));
+        if (number_to_show(full_number((*numbers)[k])))
+          clicked = {std::string(fields[i].key), vector ? static_cast<int>(k) : -1};
       }
     }
     if (!numbers && texts[i].exact != texts[i].value) tooltip(texts[i].exact);

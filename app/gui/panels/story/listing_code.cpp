@@ -7,6 +7,7 @@
 
 #include "gui/base/values.h"
 #include "gui/panels/story/code_lines.h"
+#include "gui/panels/story/shown_field.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/redraw.h"
 #include "gui/widgets/shorten.h"
@@ -43,8 +44,29 @@ int stepper(const ListingRow& row, std::size_t index) {
   return by;
 }
 
-/// `left`: where further lines of values begin.
-void values(const ListingRow& row, float left) {
+/// Which number of a text of one line, such as "(0.5, 1, 2)", is under the pointer; -1 = it has but one.
+int component_under_pointer(const std::string& text) {
+  if (text.find(',') == std::string::npos) return -1;
+  const float into = (ImGui::GetIO().MousePos.x - ImGui::GetItemRectMin().x) / text_width("0");
+  const auto signs = static_cast<std::ptrdiff_t>(std::clamp(into, 0.f, static_cast<float>(text.size())));
+  return static_cast<int>(std::count(text.begin(), text.begin() + signs, ','));
+}
+
+/// The value, which can be clicked where the picture can show it for all pixels.
+void value_text_of(const ListingRow& row, const ListingValue& value, const LineMarks& marks, float room,
+                   std::optional<ListingStep>& clicked) {
+  show_text(in_lines(value.value, room));
+  if (!marks.can_show || value.watch < 0) return;
+  controls().record(fmt::format("line-{}/{}", row.number, value.name), value.value);
+  if (!ImGui::IsItemHovered()) return;
+  const int component = component_under_pointer(value.value);
+  if (marks.can_show(value.watch, component) && number_to_show({}))
+    clicked = {.watch = value.watch, .component = component};
+}
+
+/// `left`: where further lines of values begin. Answers the value that was clicked.
+std::optional<ListingStep> values(const ListingRow& row, const LineMarks& marks, float left) {
+  std::optional<ListingStep> clicked;
   std::string all;
   const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
   bool first = true;
@@ -65,10 +87,11 @@ void values(const ListingRow& row, float left) {
       ImGui::SameLine(0, 0);
     else
       ImGui::SetCursorScreenPos({left, ImGui::GetCursorScreenPos().y});  // it has lines of its own
-    show_text(in_lines(value.value, right - ImGui::GetCursorScreenPos().x));
+    value_text_of(row, value, marks, right - ImGui::GetCursorScreenPos().x, clicked);
     all += (all.empty() ? "" : ", ") + value.name + " = " + value.value;
   }
   if (!row.values.empty()) controls().record(fmt::format("line-{}", row.number), all);
+  return clicked;
 }
 
 bool has_values(const ListingRow& row) { return row.loops || !row.values.empty(); }
@@ -92,8 +115,9 @@ ListingColumns columns_for(const std::vector<ListingRow>& rows, float room) {
   return columns;
 }
 
-/// One line of code with what it had. Answers by how much its loop was stepped.
-int draw_row(const ListingRow& row, std::size_t index, const ListingColumns& columns, const LineMarks& marks) {
+/// One line of code with what it had. Answers what was clicked.
+std::optional<ListingStep> draw_row(const ListingRow& row, std::size_t index, const ListingColumns& columns,
+                                    const LineMarks& marks) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
   const bool valued = has_values(row);
@@ -119,7 +143,7 @@ int draw_row(const ListingRow& row, std::size_t index, const ListingColumns& col
     ImGui::SetCursorScreenPos({at.x + values_at, at.y});
   } else {
     ImGui::Dummy({room, code_height});
-    if (!valued) return 0;
+    if (!valued) return {};
     const float needed = row.loops ? stepper_width(row) : 0;
     ImGui::SetCursorScreenPos(
         {at.x + std::max(columns.code, std::min(values_at, room - needed)), ImGui::GetCursorScreenPos().y});
@@ -128,8 +152,8 @@ int draw_row(const ListingRow& row, std::size_t index, const ListingColumns& col
     by = stepper(row, index);
     if (!row.values.empty()) ImGui::SameLine(0, px(14));
   }
-  values(row, at.x + (aside ? values_at : columns.code));
-  return by;
+  const auto clicked = values(row, marks, at.x + (aside ? values_at : columns.code));
+  return by != 0 ? ListingStep{index, by} : clicked;
 }
 
 /// Small print where a line would be cut otherwise.
@@ -231,7 +255,7 @@ std::optional<ListingStep> listing_code(const std::vector<ListingRow>& rows, boo
       if (i == head) places.head = at;
       if (i == target) places.line = at;
       if (named == i) places.routine = at;
-      if (const int by = draw_row(rows[i], i, columns, marks); by != 0) step = ListingStep{i, by};
+      if (const auto clicked = draw_row(rows[i], i, columns, marks)) step = clicked;
       if (marks.marked && rows[i].number == marks.marked->number) right_version(*marks.marked, columns.code);
       if (const auto fault = marks.faults.find(rows[i].number); fault != marks.faults.end() && !rows[i].text.empty())
         line_fault(fault->first, fault->second, columns.code);

@@ -7,10 +7,12 @@
 
 namespace ps::gui {
 
-/// A loop whose arrow was clicked.
+/// What was clicked: the arrow of a loop, or a value.
 struct ListingStep {
   std::size_t row = 0;
   int by = 0;
+  int watch = -1;  ///< of the value: its place in the trace
+  int component = -1;
 };
 
 /// Lines of code with the values beside them, or below where there is no room, in all the room that is left. `reveal`:

@@ -1,6 +1,7 @@
 #pragma once
 #include <imgui.h>
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -19,6 +20,8 @@ struct LineMarks {
   std::string routine{};                ///< name of the one to look at first; empty = that of the first values
   int within = 0;                       ///< number of a line whose routine is looked at first, unless one is named
   std::string remark{};                 ///< above the code, and scrolled with it; may be empty
+  /// Can the picture show this value of the trace, or component of it, for every pixel? May be empty: it shows none.
+  std::function<bool(int watch, int component)> can_show{};
 };
 
 /// The ground of a line: a click on it answers the open question. Leaves the cursor where it was.

@@ -12,10 +12,12 @@
 #include "gui/base/values.h"
 #include "gui/panels/story/listing_code.h"
 #include "gui/panels/story/own_listing_view.h"
+#include "gui/panels/story/shown_field.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 #include "image/display.h"
 #include "options/renderer_kind.h"
+#include "textbook/listing_field.h"
 
 namespace ps::gui {
 namespace {
@@ -312,8 +314,18 @@ bool ListingPanel::draw(const Context& context) {
   if (marks.routine.empty()) marks.routine = named_routine(shelf_.open(), session.document().step, state.rows);
   if (state.shown_story->listing->watches.empty())
     marks.remark = "No line of this routine reached the pixel: it draws nothing here.";
+  const ListingTrace& trace = *state.shown_story->listing;
+  const auto query = [&](int watch, int component) {
+    const Settings& settings = session.settings(side);
+    const bool drawn = runs_listing(settings.renderer) &&
+                       running_listing(settings, scene_traits(session.scene())).listing == trace.listing.listing;
+    return drawn ? listing_query(trace, static_cast<std::size_t>(watch), component) : std::nullopt;
+  };
+  marks.can_show = [&](int watch, int component) { return query(watch, component).has_value(); };
   const auto stepped = listing_code(state.rows, std::exchange(state.reveal, false), marks);
-  if (stepped) {
+  if (stepped && stepped->watch >= 0) {
+    if (const auto asked = query(stepped->watch, stepped->component)) show_field(session, *asked);
+  } else if (stepped) {
     state.view->step(stepped->row, stepped->by);
     state.instance = state.view->focus();
     state.rows = state.view->rows();

@@ -6,8 +6,9 @@
 
 #include "base/check.h"
 #include "base/number_text.h"
+#include "gui/widgets/draw.h"
 #include "gui/widgets/text_field.h"
-#include "render/renderer_table.h"
+#include "render/render.h"
 
 namespace ps::gui {
 namespace {
@@ -71,6 +72,16 @@ void count_and_next(Session& session, Side side, const FieldCondition& condition
 
 }  // namespace
 
+bool number_to_show(std::string_view exact) {
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    ImGui::GetWindowDrawList()->AddLine({low.x, high.y}, high, colour_u32(palette().text_quiet));
+  }
+  tooltip(fmt::format("{}{}Click: shows this number for every pixel.", exact, exact.empty() ? "" : "\n"));
+  return ImGui::IsItemClicked();
+}
+
 void show_field(Session& session, const FieldQuery& query) {
   session.edit("show " + field_query_words(query), "channel", [&](Document& document) {
     document.field = ShownField{query, {}};
@@ -83,8 +94,8 @@ void shown_field_bar(Session& session, Side side, ShownFieldState& state) {
   if (!field || session.shown(side) != ShownChannel::field) return;
   const NameScope names("field");
   value_paragraph("shown", "In the pictures: " + field_query_words(field->query), {Face::bold});
-  if (!renderer_row(session.settings(side).renderer).find_field)
-    quiet_text("This renderer reports its steps for one pixel at a time, so it shows no number for all.");
+  if (const auto reason = no_field_reason(session.settings(side).renderer, field->query); !reason.empty())
+    quiet_text(reason);
   if (text_field("mark", state.typed, "Mark pixels: < 0.001", {.width = px(200)}).changed) mark(session, state.typed);
   same_line_if_room(button_width("Colours"));
   if (button("close", "Colours", Emphasis::plain, {.tooltip = "The pictures show colours again."})) {

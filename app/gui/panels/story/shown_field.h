@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "gui/session/session.h"
 #include "record/field_query.h"
@@ -11,6 +12,10 @@ namespace ps::gui {
 
 /// Shows a number of the story for every pixel, in both pictures, so that they can be compared.
 void show_field(Session& session, const FieldQuery& query);
+
+/// The last item is a number that show_field() would show: it says so under the pointer, with its `exact` text, which
+/// may be empty. Answers whether it was clicked.
+bool number_to_show(std::string_view exact);
 
 /// State of shown_field_bar().
 struct ShownFieldState {
