@@ -226,7 +226,8 @@ void add_render_command(CLI::App& app, Action& chosen) {
       ->type_name("VIEW");
   command
       ->add_option("--field", arguments->field,
-                   "a number of the pixel's story to show for every pixel: 'hit: t', 'light 1: n-dot-l'")
+                   "a number of the pixel's story to show for every pixel: 'hit: t', 'light 1: n-dot-l', 'listing-line "
+                   "29 sphere red: discriminant'")
       ->type_name("EVENT: NUMBER");
   command->add_option("--mark", arguments->mark, "mark the pixels whose number meets it: '< 0.001'")
       ->type_name("CONDITION");

@@ -74,10 +74,10 @@ class WatchCollector {
 
   /// `pixel` is the one that is asked for, as PS_PIXEL counts; without one PS_PIXEL listens to all.
   explicit WatchCollector(std::optional<Vec2i> pixel = {});
-  /// What the work for one pixel had, and all instances, which Watch::instance counts.
+  /// Gets the watches of the work for one pixel, and all instances, which Watch::instance counts.
   using PixelSink =
       std::function<void(Vec2i pixel, std::span<const Watch> watches, const std::vector<WatchInstance>& instances)>;
-  /// Hands over the work for every pixel at its end, and keeps nothing.
+  /// Hands over the work for every pixel at its end, and forgets it.
   explicit WatchCollector(PixelSink sink);
   ~WatchCollector();
   WatchCollector(const WatchCollector&) = delete;

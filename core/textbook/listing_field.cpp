@@ -56,7 +56,7 @@ std::size_t own_values(std::span<const Watch> watches, const Instances& instance
   }));
 }
 
-/// What the query asks for in the work for one pixel.
+/// The number that the query asks for in the work for one pixel.
 std::optional<double> find_in_work(const FieldQuery& query, int line, std::span<const Watch> watches,
                                    const Instances& instances) {
   int passed = 0;

@@ -7,7 +7,7 @@
 
 namespace ps::gui {
 
-/// What was clicked: the arrow of a loop, or a value.
+/// A click on the arrow of a loop, or on a value.
 struct ListingStep {
   std::size_t row = 0;
   int by = 0;
