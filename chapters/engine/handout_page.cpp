@@ -32,8 +32,9 @@ constexpr std::string_view style_sheet =
     "font:9pt Helvetica,Arial,sans-serif;color:#555}}"
     "@media print{body{margin:0;padding:0;max-width:none;font-size:10pt;line-height:1.38}"
     "img{max-height:56mm}.drawing svg{width:auto;max-height:44mm}.covered{padding:12% 1em}p{margin:.5em "
-    "0;orphans:3;widows:3}"
-    ".page{break-before:page}h1,h2,h3{break-after:avoid}.pictures,.question,.box,tr{break-inside:avoid}"
+    "0;break-inside:avoid}"
+    ".page{break-before:page}h1,h2,h3{break-after:avoid}.pictures,.question,.box,ul,tr{break-inside:avoid}"
+    "ul,.pictures{break-before:avoid}"
     ".question.long{break-inside:auto}}";
 
 }  // namespace

@@ -44,7 +44,19 @@ std::string caption(const Document& document, Side side) {
   return fmt::format("<b>{}</b> {}", side == Side::a ? "A" : "B", xml_escaped(words));
 }
 
-std::string figure(const Image<Rgb8>& levels, std::string_view letter, const std::string& caption) {
+constexpr int least_width = 240;  // in pixels of the page: below it the pixels of a picture cannot be seen one by one
+
+/// A small picture with each pixel as a square of as many pixels as it takes to be `least_width` wide.
+Image<Rgb8> as_printed(const Image<Rgb8>& levels) {
+  const int side = levels.empty() ? 1 : (least_width + levels.width() - 1) / levels.width();
+  Image<Rgb8> printed(levels.width() * side, levels.height() * side);
+  for (int y = 0; y < printed.height(); ++y)
+    for (int x = 0; x < printed.width(); ++x) printed.at(x, y) = levels.at(x / side, y / side);
+  return printed;
+}
+
+std::string figure(const Image<Rgb8>& small, std::string_view letter, const std::string& caption) {
+  const Image<Rgb8> levels = as_printed(small);
   return fmt::format("<figure><img alt=\"picture {}\" width=\"{}\" height=\"{}\" src=\"data:image/png;base64,{}\"/>"
                      "<figcaption>{}</figcaption></figure>\n",
                      letter, levels.width(), levels.height(), base64(stb_encode_png(levels)), caption);
