@@ -117,7 +117,7 @@ std::vector<Technique> table() {
                     both_ways({"texture-filter=bilinear"})},
                    {"mipmap", "Mipmap", by_fragments({"texture-filter=bilinear"}),
                     by_fragments({"texture-filter=trilinear"})}},
-       .scenes = {"cgfs/crates"}},
+       .scenes = {"cgfs/relief", "cgfs/crates"}},
       {.key = "perspective-correct",
        .label = "Perspective-correct",
        .with = "perspective-correct",

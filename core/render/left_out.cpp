@@ -2,12 +2,22 @@
 
 #include <fmt/format.h>
 
+#include "base/sentence.h"
 #include "render/renderer_table.h"
 
 namespace ps {
 
 std::vector<LeftOut> left_out(const SceneTraits& traits, const Settings& settings) {
   return renderer_row(settings.renderer).left_out(traits, settings);
+}
+
+std::vector<std::string> briefs_together(const std::vector<std::string>& briefs) {
+  constexpr std::string_view lead = "leaves out ";
+  std::vector<std::string> left, texts;
+  for (const std::string& brief : briefs)
+    (brief.starts_with(lead) ? left : texts).push_back(brief.starts_with(lead) ? brief.substr(lead.size()) : brief);
+  if (!left.empty()) texts.insert(texts.begin(), std::string(lead) + listed(left));
+  return texts;
 }
 
 bool leaves_out_all(const SceneTraits& traits, const Settings& settings) {

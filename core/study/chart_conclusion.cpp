@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "base/sentence.h"
+#include "render/left_out.h"
 #include "study/chart_front.h"
 #include "study/chart_style.h"
 
@@ -133,7 +134,7 @@ class Writer {
     std::vector<std::pair<std::string, Points>> all;
     for (const ChartPoint& point : chart_.points) {
       if (point.left_out.empty() || !point.placed()) continue;
-      const std::string words = fmt::format("{}", fmt::join(point.left_out, " and "));
+      const std::string words = fmt::format("{}", fmt::join(briefs_together(point.left_out), " and "));
       auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.first == words; });
       if (found == all.end()) found = all.insert(found, {words, {}});
       found->second.push_back(&point);

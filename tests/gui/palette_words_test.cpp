@@ -122,6 +122,16 @@ TEST(Tooltip, ComesUnderARestingPointerAndGoesWithAKey) {
   EXPECT_EQ(run.status, 0) << run.errors;
 }
 
+// A tooltip at the right is within the window, however long it is and whatever came before it.
+TEST(Tooltip, IsWithinTheWindow) {
+  const auto run = ps::test::play(
+      "wait idle\nmove compare/split\nwait 1500\nexpect window/tooltip on\nmove techniques/shading/flat\nwait 1500\n"
+      "expect window/tooltip-end > 900\nexpect window/tooltip-end < 1230\nmove techniques/more\nwait 1500\n"
+      "expect window/tooltip-end > 900\nexpect window/tooltip-end < 1230\n",
+      ps::fresh_output_folder("gui-tooltip-end"), "1229x686", "--size 160x120");
+  EXPECT_EQ(run.status, 0) << run.errors;
+}
+
 // Both pictures are rendered in the size that is asked for, and the picked pixel keeps its place in them.
 TEST(PictureSize, IsSetInTheWindow) {
   const auto run = ps::test::play(

@@ -161,7 +161,7 @@ TEST(ChartConclusion, PointsThatLeaveSomethingOutAreNamed) {
   EXPECT_TRUE(sentence({{"rays", {20, 20, 20}, 1}, {"rasterizer", {10, 10, 10}, 5, {}, shadows}})
                   .ends_with(" Rasterizer leaves out shadows."));
   EXPECT_TRUE(sentence({{"a", {20, 20, 20}, 1, {}, both}, {"b", {10, 10, 10}, 5, {}, both}})
-                  .ends_with(" Of a and b, each leaves out shadows and leaves out CSG."));
+                  .ends_with(" Of a and b, each leaves out shadows and CSG."));
 }
 
 TEST(ChartConclusion, LabelsThatASentenceCannotTakeAreQuoted) {

@@ -118,7 +118,7 @@ TEST(Technique, TheWayBackLeadsBeforeTheFirst) {
   EXPECT_EQ(first.picture_b, "");
   EXPECT_EQ(first.compare, CompareMode::side_by_side);
   const Document second = shown(first, "texture-filter", "nearest");
-  EXPECT_EQ(second.scene_name, "cgfs/crates");
+  EXPECT_EQ(second.scene_name, "cgfs/relief");
   EXPECT_TRUE(without_technique(first) == before);
   EXPECT_TRUE(without_technique(second) == before);
   EXPECT_EQ(without_technique(second).before_technique, nullptr);

@@ -10,6 +10,7 @@
 #include "gui/session/compare_technique.h"
 #include "gui/widgets/key_focus.h"
 #include "options/option.h"
+#include "options/waking.h"
 #include "scene/load.h"
 #include "study/stability/experiment.h"
 
@@ -58,8 +59,11 @@ void add_options(std::vector<PaletteEntry>& entries, Session& session, const Pan
          [&session, &host, &option] {
            host.send(PointAtOption{&option});
            host.send(ShowOptions{});
+           const Side side = side_that_it_acts_on(session, option);
+           // Where the value has no effect yet, Enter sets what it needs; then the keyboard is at the value.
+           const bool asleep = !waking_of(option, session.settings(side), session.traits()).settings.empty();
            key_focus().go_to(
-               fmt::format("options/{}/{}", side_that_it_acts_on(session, option) == Side::a ? "a" : "b", option.key));
+               fmt::format("options/{}/{}{}", side == Side::a ? "a" : "b", option.key, asleep ? "/wake" : ""));
          },
          fmt::format("{}, {}, {}", option.label, option.key, option.keywords)});
 }
@@ -69,12 +73,15 @@ void add_options(std::vector<PaletteEntry>& entries, Session& session, const Pan
 std::vector<PaletteEntry> palette_entries(const PanelHost& host, const PanelList& panels) {
   Session& session = host.session;
   std::vector<PaletteEntry> entries;
+  const auto shown = session.shown_technique();
   for (const Technique& technique : technique_table())
-    for (const TechniqueChoice& choice : technique.choices)
+    for (const TechniqueChoice& choice : technique.choices) {
+      const bool on = shown && &technique_table()[shown->technique].choices[shown->choice] == &choice;
       entries.push_back({fmt::format("technique/{}/{}", technique.key, choice.key),
-                         technique_command(technique, choice), "compare",
+                         technique_command(technique, choice) + (on ? " (once more: back)" : ""), "compare",
                          [&session, &technique, &choice] { compare_technique(session, technique, choice); },
                          search_words(technique, choice)});
+    }
   for (PaletteEntry& entry : channel_entries(session)) entries.push_back(std::move(entry));
   add_options(entries, session, host);
   for (PaletteEntry& entry : value_entries(session)) entries.push_back(std::move(entry));

@@ -33,7 +33,7 @@ float folded_height() { return ImGui::GetFrameHeight() + px(4); }
 constexpr double least_options_height = 280;
 
 // Between a lesson's text and the pictures, besides the margins that both have.
-constexpr double text_margin = 12, narrow_text = 480, text_overlap = 8;  // a narrow text needs them for its lines
+constexpr double text_margin = 12, narrow_text = 400, text_overlap = 8;  // a narrow text needs them for its lines
 
 // With less width a tool's controls have a line of their own below the list of tools.
 constexpr double least_line = 560;
@@ -273,7 +273,7 @@ bool Regions::tool(Panel& panel, const Context& context) {
   if (in_line) ImGui::SameLine(0, px(12));
   bool asks = false;
   if (panel.facts.answers == Answers::yes && my_.pixel.asks())
-    ImGui::TextWrapped("The story is shown after your answer.");
+    ImGui::TextWrapped("The story is shown after your answer to the step's question.");
   else
     asks = panel.draw({.filled = context.filled, .headed = context.headed, .in_line = in_line});
   ImGui::EndChild();

@@ -100,8 +100,9 @@ float hint_width(const StatusHint& hint) { return text_width(hint.text, face_of(
 
 void hint_line(const StatusHint& hint, float room) {
   const TextScope look({face_of(hint), hint.kind != StatusHint::Kind::task});
-  show_text(parts_in_room(hint.text, room));
-  tooltip(hint.text);
+  const std::string shown = parts_in_room(hint.text, room);
+  show_text(shown);
+  if (shown != hint.text) tooltip(hint.text);
   controls().record("hint", hint.text);
 }
 

@@ -153,6 +153,7 @@ void Shell::Impl::offer_values() {
   values().offer("window/fullscreen", [=, this] { return on_off(window.fullscreen()); });
   values().offer("window/visible", [=, this] { return on_off(window.visible()); });
   values().offer("window/tooltip", [=] { return on_off(tooltip_visible()); });
+  values().offer("window/tooltip-end", tooltip_end);
   values().offer("window/turns", [this] { return std::to_string(turns); });
   values().offer("keyboard/at", [] { return key_focus().place(); });
   // "F2=mode-lesson X=split": what keys do now; two names with a "+" would be two meanings of one key.

@@ -83,7 +83,10 @@ bool drop_down(std::string_view name, std::span<const Choice> choices, int& inde
     if (text.find('\n') == std::string::npos) text = whole_words(text, width - arrow - px(8));
     wanted = word_button(name, text, width, field, style);
   }
-  if (wanted && !ImGui::IsPopupOpen(list, ImGuiPopupFlags_None)) ImGui::OpenPopup(list);  // Enter closes an open one
+  if (wanted && !ImGui::IsPopupOpen(list, ImGuiPopupFlags_None)) {  // Enter closes an open one
+    ImGui::OpenPopup(list);
+    key_focus().go_to(full_name(name));  // while the list is open, the arrow keys belong to it
+  }
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
   const float scale = 0.6f, size = ImGui::GetFontSize();
   ImGui::RenderArrow(ImGui::GetWindowDrawList(), {max.x - (arrow + size) / 2, (min.y + max.y - size * scale) / 2},

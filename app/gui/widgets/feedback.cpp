@@ -43,24 +43,37 @@ bool rested_on_last_item() {
 
 void hide_tooltip() { rest.hidden = true; }
 
+namespace {
+
+ImGuiWindow* tooltip_window() { return ImGui::FindWindowByName("##Tooltip_00"); }
+
+}  // namespace
+
 bool tooltip_visible() {
-  const ImGuiWindow* window = ImGui::FindWindowByName("##Tooltip_00");
+  const ImGuiWindow* window = tooltip_window();
   return window && window->Active && !window->Hidden;
 }
 
+double tooltip_end() { return tooltip_visible() ? tooltip_window()->Pos.x + tooltip_window()->Size.x : 0; }
+
 namespace {
 
-ImVec2 last_size{0, 0};  // of the newest tooltip, as it came out
+/// As large as its contents of the frame before; in its first frame a tooltip is hidden and has none.
+ImVec2 tooltip_size() {
+  ImGuiWindow* window = tooltip_window();
+  return window ? ImGui::CalcWindowNextAutoFitSize(window) : ImVec2{0, 0};
+}
 
 /// Below the item and flush with its left edge, above it where there is no room below, so that neither the item nor
 /// what is beside it is covered. Over a large one, such as a picture, Dear ImGui places it beside the pointer.
 void place_beside_last_item() {
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax(), display = ImGui::GetIO().DisplaySize;
   if (max.y - min.y > 5 * ImGui::GetFrameHeight()) return;
+  const ImVec2 size = tooltip_size();
   const float away = px(5);
-  const float left = std::clamp(min.x, 0.f, std::max(0.f, display.x - last_size.x));
-  const bool room_below = max.y + away + last_size.y <= display.y;
-  ImGui::SetNextWindowPos({left, room_below ? max.y + away : std::max(0.f, min.y - away - last_size.y)});
+  const float left = std::clamp(min.x, 0.f, std::max(0.f, display.x - size.x));
+  const bool room_below = max.y + away + size.y <= display.y;
+  ImGui::SetNextWindowPos({left, room_below ? max.y + away : std::max(0.f, min.y - away - size.y)});
 }
 
 /// Never wider than the window, with room for its margins.
@@ -81,7 +94,6 @@ bool begin_tooltip() {
 void end_tooltip() {
   ImGui::PopTextWrapPos();
   ImGui::PopFont();
-  last_size = ImGui::GetWindowSize();
   ImGui::EndTooltip();
   ImGui::PopStyleVar();
 }

@@ -41,10 +41,12 @@ void KeyFocus::go_to(std::string_view full_name) {
   active_ = true;
   place_ = full_name;
   missing_frames_ = 0;
+  seen_ = false;
   controls().reveal(place_);
 }
 
 void KeyFocus::leave() {
+  if (controls().reveals(place_)) controls().stop_revealing();
   active_ = false;
   place_.clear();
   region_steps_ = moves_ = 0;
@@ -92,12 +94,13 @@ std::size_t KeyFocus::index_of_place() const {
   return static_cast<std::size_t>(found - places_.begin());
 }
 
-/// A control of several parts has the keyboard on the first of them.
+/// A control of several parts has the keyboard on the first of them; one whose part has gone has it itself.
 void KeyFocus::adopt_part() {
   if (place_.empty() || index_of_place() < places_.size()) return;
-  const std::string below = place_ + "/";
-  const auto part =
-      std::find_if(places_.begin(), places_.end(), [&](const Place& p) { return p.name.starts_with(below); });
+  const std::string below = place_ + "/", whole = place_.substr(0, place_.rfind('/'));
+  const auto part = std::find_if(places_.begin(), places_.end(), [&](const Place& p) {
+    return p.name.starts_with(below) || (seen_ && p.name == whole);
+  });
   if (part != places_.end()) place_ = part->name;
 }
 
@@ -135,6 +138,10 @@ void KeyFocus::end_frame() {
     if (index < places_.size()) {
       last_index_ = index;
       missing_frames_ = 0;
+      seen_ = true;
+      // In sight once, it may be scrolled away, and what holds it may be closed.
+      const ControlRecord* control = controls().find(place_);
+      if (control && controls().visible(*control) && controls().reveals(place_)) controls().stop_revealing();
     } else if (!place_.empty() && ++missing_frames_ > patience) {  // it has gone: the next one in its place
       go_to(places_[std::min(last_index_, places_.size() - 1)].name);
     }

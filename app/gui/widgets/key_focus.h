@@ -60,6 +60,7 @@ class KeyFocus {
   std::size_t last_index_ = 0;
   int region_steps_ = 0, moves_ = 0, steps_ = 0, lines_ = 0;
   int missing_frames_ = 0;  // since the control was drawn last
+  bool seen_ = false;       // the control was drawn since the keyboard went to it
   bool pressed_ = false, steps_used_ = false, lines_used_ = false, left_by_escape_ = false;
   std::optional<char> digit_;
 };

@@ -1,5 +1,7 @@
 #include "gui/widgets/option_parts.h"
 
+#include <algorithm>
+
 namespace ps::gui {
 namespace {
 
@@ -91,8 +93,12 @@ Edit option_control(const Option& option, Settings& settings, const ControlStyle
 void attention_ring(ImVec2 min, ImVec2 max) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const float rounding = ImGui::GetStyle().FrameRounding;
+  // It may reach into the margins at the left and right of a list that scrolls.
+  const ImVec2 low = draw.GetClipRectMin(), high = draw.GetClipRectMax();
+  draw.PushClipRect({std::min(low.x, min.x - px(2)), low.y}, {std::max(high.x, max.x + px(2)), high.y});
   draw.AddRect(min, max, colour_u32(palette().text), rounding, 0, px(4));
   draw.AddRect(min, max, colour_u32(palette().attention), rounding, 0, px(2));
+  draw.PopClipRect();
 }
 
 bool reset_button(const Option& option, float size) {
@@ -150,7 +156,11 @@ std::optional<Side> need_lines(const Option& option, const Waking& waking, std::
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float line = ImGui::GetTextLineHeight(), inset = std::floor((ImGui::GetFrameHeight() - line) / 2);
   const bool one_line = layout.lines.find('\n') == std::string::npos;
-  draw_lines({at.x, at.y + (layout.beside ? inset : 0)}, layout.lines, palette().text_quiet);
+  // The line that the buttons are behind is as high as they are.
+  const std::size_t tail = layout.beside ? layout.lines.rfind('\n') + 1 : layout.lines.size();  // npos + 1 is 0
+  draw_lines(at, std::string_view(layout.lines).substr(0, tail), palette().text_quiet);
+  draw_lines({at.x, at.y + layout.buttons_top() + inset}, std::string_view(layout.lines).substr(tail),
+             palette().text_quiet);
   for (const Side side : sides) {
     const NameScope scope(side == Side::a ? "a" : "b");
     // A button may be at the end of the last line.

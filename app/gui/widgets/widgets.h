@@ -164,6 +164,8 @@ void tooltip(std::string_view text);
 void hide_tooltip();
 /// Whether one was seen in the last frame.
 bool tooltip_visible();
+/// Its right edge in window pixels; 0 while there is none.
+double tooltip_end();
 /// A tooltip that draws itself.
 bool begin_tooltip();  ///< for the last item; if true, call end_tooltip()
 void end_tooltip();

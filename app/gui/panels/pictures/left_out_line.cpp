@@ -1,6 +1,7 @@
 #include "gui/panels/pictures/left_out_line.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -61,10 +62,12 @@ std::optional<float> notice(Session& session, Side side, const LeftOut& one, ImV
 
 LeftOutTexts left_out_texts(const std::vector<LeftOut>& all) {
   LeftOutTexts texts;
+  std::vector<std::string> briefs;
   for (const LeftOut& one : all) {
-    texts.names += (texts.names.empty() ? "" : ", ") + one.brief;
+    briefs.push_back(one.brief);
     texts.sentences += (texts.sentences.empty() ? "" : "\n") + one.sentence;
   }
+  texts.names = fmt::format("{}", fmt::join(briefs_together(briefs), ", "));
   return texts;
 }
 

@@ -88,10 +88,14 @@ const ShownPicture& shown_picture(const Session& session, PicturesState& state, 
   return state.pictures[index_of(side)];
 }
 
+bool shows_before(const Session& session, PicturesState& state, Side side) {
+  return &shown_picture(session, state, side) != &state.pictures[index_of(side)];
+}
+
 /// The line above what a side shows.
 void title(Session& session, PicturesState& state, Side side, const Area& row) {
-  const bool is_before = &shown_picture(session, state, side) != &state.pictures[index_of(side)];
-  picture_title(session, side, row, state.drawn.captions, is_before ? "before the last change" : "");
+  picture_title(session, side, row, state.drawn.captions,
+                shows_before(session, state, side) ? "before the last change" : "");
 }
 
 /// Hides a picture that would answer an open question. `area` is where it is seen.
@@ -297,6 +301,10 @@ void below(Session& session, PicturesState& state, Side side, const Area& footer
   auto& note = state.drawn.notes[index_of(side)];
   note.reset();
   if (state.drawn.covers.hidden[index_of(side)]) return;  // its counters would answer the question as well
+  if (shows_before(session, state, side)) {               // what is known is about the picture after the change
+    controls().record(side == Side::a ? "view/a/footer" : "view/b/footer", footer.min, footer.max, "");
+    return;
+  }
   note = picture_note(footer, state.drawn.captions);
   if (note) note = left_out_line(session, side, *note);
   const std::string beside = side == Side::b && lead.empty() && state.drawn.compare != CompareMode::only_b

@@ -143,6 +143,9 @@ void steps(Session& session, PartingViewState& state) {
 void parting_view(Session& session, PartingViewState& state,
                   const std::array<std::shared_ptr<const PixelStory>, 2>& stories) {
   const NameScope scope("parting");
+  if (session.picture_b())
+    return quiet_text("B is a picture file, which has no story. What it has less or more here is under B; what it "
+                      "lacks as a whole is under Measure, Why.");
   if (!stories[0] || !stories[1]) return quiet_text("Both stories are needed to compare them.");
   compare(session, state, stories);
   sentence(state.parting);

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <utility>
 
 #include "gui/widgets/draw.h"
 #include "options/scene_settings.h"
+#include "render/story/names.h"
 
 namespace ps::gui {
 namespace {
@@ -49,8 +52,24 @@ void gone_events(const PinnedStory& pinned) {
   if (left_out > 0) quiet_text(fmt::format("and {} more that are gone", left_out));
 }
 
+/// "red moved to (0.4, -0.9, 3)", "light 2 (point): intensity 0.3", or the edit as it is.
+std::string edit_words(const Scene& scene, const SceneEdit& edit) {
+  const std::size_t dot = edit.path.find('.'), end = edit.path.find('.', dot + 1);
+  const std::string kind = edit.path.substr(0, dot);
+  int index = 0;
+  if (end == std::string::npos || (kind != "object" && kind != "light") ||
+      std::from_chars(&edit.path[dot + 1], &edit.path[end], index).ptr != &edit.path[end])
+    return edit.path + "=" + edit.value;
+  const std::string name = kind == "object" ? object_name(scene, index) : light_name(scene, index);
+  const std::string property = edit.path.substr(end + 1);
+  constexpr std::array<std::string_view, 4> places{"center", "corner", "position", "translation"};
+  const bool moved = std::find(places.begin(), places.end(), property) != places.end();
+  return name + (moved ? " moved to " : ": " + property + " ") + edit.value;
+}
+
 /// The user's changes since the pixel was pinned: "reflection-depth=1, camera".
-std::string changes_since(const Document& document, Side side) {
+std::string changes_since(const Session& session, Side side) {
+  const Document& document = session.document();
   const Pin& pin = *document.pin;
   std::vector<std::string> changed =
       settings_difference(side == Side::a ? pin.a : pin.b, side_of(document, side).settings);
@@ -58,7 +77,7 @@ std::string changes_since(const Document& document, Side side) {
   if (pin.width != document.view.width || pin.height != document.view.height) changed.emplace_back("size");
   for (const SceneEdit& edit : document.edits)
     if (std::find(pin.edits.begin(), pin.edits.end(), edit) == pin.edits.end())
-      changed.push_back(edit.path + "=" + edit.value);
+      changed.push_back(edit_words(session.scene(), edit));
   return fmt::format("{}", fmt::join(changed, ", "));
 }
 
@@ -143,7 +162,7 @@ void pin_view(Session& session, PinState& state, Side side, const std::shared_pt
                                                       : fmt::format("{} event{}", changes.changed_steps,
                                                                     changes.changed_steps == 1 ? "" : "s");
   if (!section("changes", "Changed since the pin", state.open[index], note)) return;
-  const std::string changed = changes_since(session.document(), side);
+  const std::string changed = changes_since(session, side);
   value_paragraph("options", changed.empty() ? "No option has changed since then." : "Since then: " + changed);
   const auto& old = changes.display_before;
   const auto& now = changes.display_after;

@@ -266,7 +266,8 @@ bool PixelPanel::draw(const Context&) {
     const ScreenMode mode = session_.document().mode;
     const bool in_caption = mode == ScreenMode::presenter && predict.lesson->question();
     if (mode == ScreenMode::lesson || in_caption || predict.lesson->asked_beside_text(session_))
-      ImGui::TextWrapped("The story is shown after your answer.");  // the question is beside the text
+      ImGui::TextWrapped(
+          "The story is shown after your answer to the step's question.");  // the question is beside the text
     else
       predict_panel(session_, predict);
     return false;

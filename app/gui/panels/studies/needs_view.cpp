@@ -133,7 +133,7 @@ void unused_features(std::span<const FeatureShare> shares) {
 }
 
 void needs_trail(const Needs& needs) {
-  const float digits = px(cell_digits_width + 20);
+  const float digits = px(cell_digits_width + 10);
   if (!ImGui::BeginTable("trail", 4, ImGuiTableFlags_SizingFixedFit)) return;
   ImGui::TableSetupColumn("taken", ImGuiTableColumnFlags_WidthFixed, px(52));
   ImGui::TableSetupColumn("change", ImGuiTableColumnFlags_WidthFixed,

@@ -148,7 +148,12 @@ bool StudyFrame::toolbar(Session& session, bool filled) {
   const std::string label = known.empty() ? word : fmt::format("{} ({})", word, known);
   if (ImGui::GetCursorPosY() > start.y)
     same_line_if_room(work_.running() ? pause_and_stop_width(words_) : button_width(label), px(between_controls));
+  const float end = ImGui::GetCursorScreenPos().x + pause_and_stop_width(words_);
   run_buttons(session, word, label);
+  if (const float rest = end - ImGui::GetItemRectMax().x; rest > 0) {  // no button comes to lie under the pointer
+    ImGui::SameLine(0, 0);
+    ImGui::Dummy({rest, ImGui::GetFrameHeight()});
+  }
   more_controls(session);
   return fill_button(filled, "Shows this panel in the whole window (Esc).");
 }

@@ -23,7 +23,7 @@ void name_cell(std::string_view text);
 /// "12.5 %"
 std::string percent(double share);
 /// The width of the digits of bar_cell(), at scale 1.
-inline constexpr double cell_digits_width = 62;
+inline constexpr double cell_digits_width = 72;
 
 /// Small pictures as the graphics card has them, by their names.
 class SmallPictures {
