@@ -255,6 +255,17 @@ LargeArray<WideNode> widen_nodes(const Bvh<float>& bvh, std::vector<BlockRange>&
   return result;
 }
 
+void see_from(const Vec3f& centre, LargeArray<WideNode>& nodes) {
+  for (WideNode& node : nodes) {
+    for (std::size_t plane = 0; plane < 6; ++plane)
+      for (float& value : node.planes[plane]) value -= centre[static_cast<int>(plane / 2)];
+    std::fill(std::begin(node.order), std::end(node.order), 0u);
+    const auto* const end = std::find(std::begin(node.planes[0]), std::end(node.planes[0]),
+                                      std::numeric_limits<float>::infinity());  // behind the last child
+    order_children(node, static_cast<std::size_t>(end - std::begin(node.planes[0])));
+  }
+}
+
 void for_each_range(std::size_t count, int threads, const std::function<void(std::size_t, std::size_t)>& body) {
   constexpr std::size_t step = 1u << 13;
   Progress progress;

@@ -88,6 +88,7 @@ struct TriangleList {
 struct WideBvh {
   LargeArray<WideNode> nodes;
   LargeArray<TriangleBlock<wide_block_width>> blocks;
+  Vec3f centre{0};  ///< the planes of the nodes are as seen from here (see_from())
   /// More entries can never wait while one ray is followed; a leaf too large for one child makes a node more.
   static constexpr int most_waiting = (bvh_max_depth + 32) * (wide_width - 1) + 1;
 
@@ -99,6 +100,11 @@ struct WideBvh {
 /// for the entries of bvh.order, from several threads.
 template <class TriangleOf>
 WideBvh widen(const Bvh<float>& bvh, TriangleOf&& triangle, int threads = 0);
+
+/// Has the nodes' planes as they are seen from `centre`. Far from the world's origin floats are far apart, and what a
+/// search adds up from planes and ray would be too: from a point in the middle of the tree both are small numbers.
+/// Each plane is rounded once.
+void see_from(const Vec3f& centre, LargeArray<WideNode>& nodes);
 
 /// The two steps of widen(): nodes alone, with the range of bvh.order that each block takes, then the vertices.
 struct BlockRange {

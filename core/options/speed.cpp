@@ -57,8 +57,8 @@ Option accelerator_row() {
                                      return s.accelerator == Accelerator::embree && has_embree();
                                    }),
                              knows(triangle_search, 21, Accelerator::bvh, Accelerator::octree, Accelerator::none,
-                                   Accelerator::embree)
-                                 .said("SIMD searches need accelerator = bvh, octree or none")},
+                                   Accelerator::two_level, Accelerator::embree)
+                                 .said("SIMD searches need accelerator = bvh, octree, two-level or none")},
                     .hardware = not_asked},
        .shown_by = {.experiments = {{"grid-octree-borders"}, {"bvh-holes"}, {"nan-vertex"}, {"tree-growth"}},
                     .scenes = {{"cgfs/shading", "triangle-test=moeller-trumbore"}}}},

@@ -13,7 +13,6 @@ Benches hardware_story_benches();
 Benches memory_benches();
 Benches needs_benches();
 Benches packets_benches();
-Benches pictures_benches();
 Benches recorder_benches();
 Benches rays_curve_benches();
 Benches fragments_curve_benches();
@@ -30,7 +29,6 @@ Benches all_benches() {
   append(all, clear_resolve_benches());
   append(all, recorder_benches());
   append(all, packets_benches());
-  append(all, pictures_benches());
   append(all, gains_benches());
   append(all, window_path_benches());
   append(all, coverage_benches());

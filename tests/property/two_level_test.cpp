@@ -6,10 +6,11 @@
 #include <iostream>
 #include <random>
 
-#include "raytrace/clear/intersector.h"
 #include "raytrace/clear/surface_point.h"
+#include "raytrace/fast/fast_intersector.h"
 #include "support/closed_sphere.h"
 #include "support/same_bits.h"
+#include "support/simd_targets.h"
 #include "support/trials.h"
 
 namespace two_level_test {
@@ -93,6 +94,7 @@ Scene placed_scene(const Placement& place, unsigned seed) {
     Instance instance;
     instance.mesh = i % 3 == 2 ? 1 : 0;
     instance.transform = random_transform(place, middle, random);
+    if (i % 4 == 1) instance.sides = Sides::front;
     if (i % 5 == 4) instance.transform.scale[i % 3] = 0;  // flattened: there is no way back into the model
     geometry.objects.push_back({"placed", instance});
     if (i == 6) geometry.objects.push_back({"same again", instance});
@@ -158,9 +160,9 @@ bool same_hit(const BothWays<Real>& ways, const Hit<Real>& a, const Hit<Real>& b
 }
 
 template <class Real>
-int differing(const BothWays<Real>& ways, const std::vector<Ray<Real>>& rays) {
+int differing(const BothWays<Real>& ways, const RaySearch<Real>& shared, const std::vector<Ray<Real>>& rays) {
   Silent silent;
-  const Intersector<Real, Silent> unfolded(ways.unfolded, silent), shared(ways.shared, silent);
+  const Intersector<Real, Silent> unfolded(ways.unfolded, silent);
   int result = 0;
   for (const Ray<Real>& ray : rays) {
     const Hit<Real> expected = unfolded.nearest(ray);
@@ -168,6 +170,23 @@ int differing(const BothWays<Real>& ways, const std::vector<Ray<Real>>& rays) {
     result += same ? 0 : 1;
   }
   return result;
+}
+template <class Real>
+int differing(const BothWays<Real>& ways, const std::vector<Ray<Real>>& rays) {
+  Silent silent;
+  return differing<Real>(ways, Intersector<Real, Silent>(ways.shared, silent), rays);
+}
+
+/// The same for the SIMD search.
+int differing_fast(const Scene& scene, const BothWays<float>& ways, Simd simd, const std::vector<Ray<float>>& rays) {
+  Prepared prepared;
+  Settings settings = ways.shared.settings;
+  settings.simd = simd;
+  const TraceInputs<float> inputs = make_trace_inputs<float>(scene, View{}, settings, prepared);
+  const std::optional<WideInputs> wide = wide_inputs(scene, inputs, prepared);
+  if (!wide || !wide->instances) return static_cast<int>(rays.size());
+  CountingRecorder recorder;
+  return differing<float>(ways, FastIntersector(inputs, *wide, recorder), rays);
 }
 
 template <class Real>
@@ -179,10 +198,15 @@ void expect_hits_of_unfolded(TriangleTest test) {
       SCOPED_TRACE(std::string(place.name) + ", seed " + std::to_string(seed));
       Settings settings;
       settings.triangle_test = test;
-      const auto ways = both_ways<Real>(placed_scene(place, seed), settings);
+      const Scene scene = placed_scene(place, seed);
+      const auto ways = both_ways<Real>(scene, settings);
       EXPECT_TRUE(ways.shared.geometry->triangles.empty());
       const auto rays = rays_at_corners(*ways.unfolded.geometry, place, seed, test::trials(1000));
       EXPECT_EQ(differing(ways, rays), 0);
+      if constexpr (std::is_same_v<Real, float>) {
+        for (const Simd simd : test::simd_targets())
+          EXPECT_EQ(differing_fast(scene, ways, simd, rays), 0) << "SIMD " << static_cast<int>(simd);
+      }
     }
   }
 }

@@ -32,7 +32,6 @@ std::string_view no_wide_triangles(const Settings& s, const SceneTraits& t, Chan
   if (!t.triangles) return "SIMD searches need a scene of triangles only";
   if (has(channels, Channel::tests)) return "the view shows the tests of the scalar search";
   if (const auto reason = fast_limit(FastCode::triangle_search, s, t); !reason.empty()) return reason;
-  if (t.one_sided) return "SIMD searches do not support one-sided triangles";
   if (t.any_transparency) return "SIMD searches do not support transparency";
   return "";
 }

@@ -57,7 +57,7 @@ Hit<float> FastIntersector::find_other(const Ray<float>& ray, Find find) const {
   }
   for (const std::uint32_t primitive : geometry_.unbounded)
     if (visit(primitive)) return best;
-  const Bvh<float>& others = wide_.wide->others;
+  const Bvh<float>& others = wide_.wide ? wide_.wide->others : wide_.instances->others;
   if (!others.nodes.empty()) for_each_candidate(others, clear_.candidate(ray), best.t, visit, recorder_);
   return best;
 }
@@ -65,7 +65,7 @@ Hit<float> FastIntersector::find_other(const Ray<float>& ray, Find find) const {
 void FastIntersector::search_list(const Ray<float>& ray, Find find, Hit<float>& best) const {
   const ListSearch search = find == Find::any ? wide_.searches.list_any : wide_.searches.list_nearest;
   WideCount work;
-  search(wide_.list->triangles, {ray, 0, inputs_.triangle_epsilon}, best, work);
+  search(wide_.list->triangles, {ray, 0, inputs_.triangle_epsilon, filter_}, best, work);
   count(work);
 }
 
@@ -74,7 +74,7 @@ void FastIntersector::search_list_together(std::span<const Ray<float>> rays, std
   std::vector<WideQuery> queries;
   queries.reserve(rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    queries.push_back({rays[i], 0, inputs_.triangle_epsilon});
+    queries.push_back({rays[i], 0, inputs_.triangle_epsilon, filter_});
     hits[i] = find_other(rays[i], Find::nearest);
   }
   WideCount work;
@@ -86,6 +86,7 @@ bool FastIntersector::put_side_by_side(std::span<const Ray<float>> rays, WidePac
   if (!wide_.packets.nearest || !suits_packet(rays.data(), rays.size())) return false;
   float pad = 0;
   packet.triangle_epsilon = inputs_.triangle_epsilon;
+  packet.filter = filter_;
   for (std::size_t lane = 0; lane < packet_width; ++lane) {
     const Ray<float>& ray = rays[std::min(lane, rays.size() - 1)];
     const float reach = reach_of(ray);
@@ -125,7 +126,7 @@ void FastIntersector::search_tree_together(std::span<const Ray<float>> rays, con
 void FastIntersector::nearest_others(std::span<const Ray<float>> rays, const WidePacket& packet,
                                      std::span<Hit<float>> hits) const {
   const Bvh<float>& others = wide_.wide->others;
-  unsigned perhaps = others.nodes.empty() ? 0u : wide_.packets.meets(others.nodes[0].box, packet);
+  unsigned perhaps = others.nodes.empty() ? 0u : wide_.packets.meets(others.nodes[0].box, packet, wide_.seen.centre);
   if (!geometry_.unbounded.empty() || geometry_.some_in_double) perhaps = ~0u;  // the packet's pad is for float
   for (std::size_t i = 0; i < rays.size(); ++i) {
     hits[i] = {};

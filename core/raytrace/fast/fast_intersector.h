@@ -7,13 +7,45 @@
 
 namespace ps {
 
+/// Triangles that are seen from their front alone let rays pass from behind. Where meshes are shared, triangles without
+/// area are there, too.
+class FrontsOnly final : public TriangleFilter {
+ public:
+  explicit FrontsOnly(const TracedGeometry<float>& geometry) : geometry_(geometry) {}
+  bool counts(const Vec3f& direction, std::uint32_t number, const TracedTriangle<float>& triangle) const override {
+    if (shares_meshes(geometry_) && !has_area(triangle)) return false;
+    const Primitive primitive = primitive_of(geometry_, number);
+    return !(primitive.front_only && sees_back(direction, primitive, triangle));
+  }
+
+ private:
+  const TracedGeometry<float>& geometry_;
+};
+
+/// The clear path's tests, for the SIMD search.
+class ClearTests final : public SingleTests {
+ public:
+  using Clear = Intersector<float, CountingRecorder>;
+  explicit ClearTests(const Clear& clear) : clear_(clear) {}
+  bool test(const Ray<float>& ray, std::uint32_t number, Hit<float>& best) const override {
+    return clear_.test({ray, dot(ray.direction, ray.direction), Shear<float>(ray.direction)}, number, best);
+  }
+
+ private:
+  const Clear& clear_;
+};
+
 /// The fast paths' search: triangles with SIMD, four or eight at a time, for one ray or for eight rays of neighbouring
 /// pixels; everything else by the clear path's tests. It finds the hits of the clear path (clear/intersector.h), to the
 /// last bit.
 class FastIntersector final : public RaySearch<float> {
  public:
   FastIntersector(const TraceInputs<float>& inputs, const WideInputs& wide, CountingRecorder& recorder)
-      : inputs_(inputs), wide_(wide), geometry_(*inputs.geometry), recorder_(recorder), clear_(inputs, recorder) {}
+      : inputs_(inputs), wide_(wide), geometry_(*inputs.geometry), recorder_(recorder), clear_(inputs, recorder),
+        clear_tests_(clear_), fronts_only_(geometry_),
+        filter_(geometry_.one_sided_triangles || shares_meshes(geometry_) ? &fronts_only_ : nullptr) {}
+  FastIntersector(const FastIntersector&) = delete;
+  FastIntersector& operator=(const FastIntersector&) = delete;
 
   Hit<float> nearest(const Ray<float>& ray) const override;
   Hit<float> any(const Ray<float>& ray) const override;
@@ -23,8 +55,10 @@ class FastIntersector final : public RaySearch<float> {
   using Query = Intersector<float, CountingRecorder>::Query;
   enum class Find { nearest, any };
 
-  /// Intersector::reach() of what the wide trees hold.
-  float reach_of(const Ray<float>& ray) const { return std::max(geometry_.float_reach, largest_component(ray.origin)); }
+  /// The largest coordinate, of what the wide trees hold or of the ray's origin, as WideInputs::seen says.
+  float reach_of(const Ray<float>& ray) const {
+    return std::max(wide_.seen.reach, largest_component(ray.origin - wide_.seen.centre));
+  }
   /// The nearest hit of a ray that suits(), whose reach_of() this is. One function for each of the two, and one
   /// variable that it returns: what is done for each ray counts.
   template <Find what>
@@ -33,9 +67,16 @@ class FastIntersector final : public RaySearch<float> {
   Hit<float> find_other(const Ray<float>& ray, Find find) const;
   /// Improves `best` by triangles. In the class, as suits_tree() is: shadow rays need both one at a time.
   void search_tree(const Ray<float>& ray, float reach, Find find, Hit<float>& best) const {
-    const WideSearch search = find == Find::any ? wide_.searches.any : wide_.searches.nearest;
+    const WideQuery query{ray, inputs_.box_padding * reach, inputs_.triangle_epsilon, filter_};
     WideCount work;
-    search(wide_.wide->triangles, {ray, inputs_.box_padding * reach, inputs_.triangle_epsilon}, best, work);
+    if (wide_.wide) {
+      const WideSearch search = find == Find::any ? wide_.searches.any : wide_.searches.nearest;
+      search(wide_.wide->triangles, query, best, work);
+    } else {
+      const InstanceSearches& searches = wide_.instance_searches;
+      const InstanceSearch search = find == Find::any ? searches.any : searches.nearest;
+      search(*wide_.instances, query, clear_tests_, best, work);
+    }
     count(work);
   }
   void search_list(const Ray<float>& ray, Find find, Hit<float>& best) const;
@@ -55,7 +96,7 @@ class FastIntersector final : public RaySearch<float> {
     return is_searchable(ray) && reach < 1e15f * std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
   }
   bool suits(const Ray<float>& ray, float reach) const {
-    return wide_.wide ? suits_tree(ray, reach) : is_searchable(ray);
+    return wide_.list ? is_searchable(ray) : suits_tree(ray, reach);
   }
   void count(const WideCount& work) const {
     recorder_.count(Counter::node_visits, work.nodes);
@@ -67,6 +108,9 @@ class FastIntersector final : public RaySearch<float> {
   const TracedGeometry<float>& geometry_;
   CountingRecorder& recorder_;
   Intersector<float, CountingRecorder> clear_;
+  ClearTests clear_tests_;
+  FrontsOnly fronts_only_;
+  const TriangleFilter* filter_;  ///< null where every triangle counts
 };
 
 }  // namespace ps

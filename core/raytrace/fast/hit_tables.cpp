@@ -28,7 +28,7 @@ std::optional<HitTables> hit_tables(const TraceInputs<float>& inputs) {
   const TracedGeometry<float>& geometry = *inputs.geometry;
   const Settings& settings = inputs.settings;
   if (inputs.path.machinery != Machinery::wide_triangles || inputs.path.shading == SurfaceShading::single) return {};
-  if (geometry.triangles.empty()) return {};
+  if (geometry.triangles.empty() && !shares_meshes(geometry)) return {};
   HitTables tables;
   const HitFunctions functions = hit_functions(settings.simd);
   tables.place = functions.place;
@@ -36,7 +36,7 @@ std::optional<HitTables> hit_tables(const TraceInputs<float>& inputs) {
   if (tables.light == nullptr) return {};
   static_assert(sizeof(TracedTriangle<float>) == 10 * sizeof(float));
   static_assert(sizeof(TriangleAttributes<float>) == 16 * sizeof(float));
-  tables.triangles = &geometry.triangles[0].a.x;
+  if (!geometry.triangles.empty()) tables.triangles = &geometry.triangles[0].a.x;
   if (!geometry.attributes.empty()) tables.attributes = &geometry.attributes[0].normals[0].x;
   bool any = false;
   for (const ShadingMaterial<float>& material : inputs.materials) {

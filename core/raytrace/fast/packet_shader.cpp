@@ -30,13 +30,15 @@ void PacketShader::shade(std::span<const Ray<float>> rays, std::span<const Hit<f
 
 bool PacketShader::put_lane(std::size_t lane, const Ray<float>& ray, const Hit<float>& hit) {
   const TracedGeometry<float>& geometry = *inputs_.geometry;
-  const Primitive& primitive = geometry.primitives[hit.primitive];
+  const Primitive primitive = primitive_of(geometry, hit.primitive);
   if (!is_float_triangle(primitive) || tables_.plain[primitive.material] == 0) return false;
-  const std::int32_t attributes = geometry.triangles[primitive.shape].attributes;
-  const bool smooth = attributes >= 0 && inputs_.settings.normals == Normals::vertex &&
-                      geometry.attributes[static_cast<std::size_t>(attributes)].has_normals;
-  packet_.triangle[lane] = static_cast<std::int32_t>(primitive.shape);
-  packet_.attributes[lane] = smooth ? attributes : -1;
+  const bool shared = shares_meshes(geometry);
+  const TracedTriangle<float>& triangle = triangle_of(geometry, primitive, own_triangles_[lane]);
+  const bool smooth = triangle.attributes >= 0 && inputs_.settings.normals == Normals::vertex &&
+                      attributes_of(geometry, primitive, triangle, own_attributes_[lane]).has_normals;
+  const auto own = static_cast<std::int32_t>(lane);
+  packet_.triangle[lane] = shared ? own : static_cast<std::int32_t>(primitive.shape);
+  packet_.attributes[lane] = !smooth ? -1 : shared ? own : triangle.attributes;
   packet_.material[lane] = static_cast<std::int32_t>(primitive.material);
   packet_.sense[lane] = primitive.mirrored ? -1.0f : 1.0f;
   for (int axis = 0; axis < 3; ++axis) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,9 @@ class PacketShader {
                CountingRecorder& recorder)
       : inputs_(inputs), tables_(tables), tracer_(tracer), recorder_(recorder), blocked_(inputs.lights.size()) {
     packet_.attributes.fill(-1);
+    if (!shares_meshes(*inputs.geometry)) return;
+    packet_.own_triangles = &own_triangles_[0].a.x;
+    packet_.own_attributes = &own_attributes_[0].normals[0].x;
   }
 
   /// Shades the hits of up to packet_width rays.
@@ -35,6 +39,8 @@ class PacketShader {
   const ClearTracer& tracer_;
   CountingRecorder& recorder_;
   HitPacket packet_;
+  std::array<TracedTriangle<float>, packet_width> own_triangles_;  ///< of the lanes, where meshes are shared
+  std::array<TriangleAttributes<float>, packet_width> own_attributes_;
   std::vector<unsigned> blocked_;  ///< by light, a bit for each lane
 };
 

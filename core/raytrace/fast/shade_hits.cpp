@@ -69,9 +69,10 @@ void place(const HitTables& tables, HitPacket& packet) {
   const D d;
   const I i;
   const P weights = load(packet.weights);
+  const float* const triangles = packet.own_triangles ? packet.own_triangles : tables.triangles;
+  const float* const all_attributes = packet.own_attributes ? packet.own_attributes : tables.attributes;
   const auto triangle = hn::Mul(hn::Load(i, packet.triangle.data()), hn::Set(i, 10));
-  const P a = gather(tables.triangles, triangle, 0), b = gather(tables.triangles, triangle, 3),
-          c = gather(tables.triangles, triangle, 6);
+  const P a = gather(triangles, triangle, 0), b = gather(triangles, triangle, 3), c = gather(triangles, triangle, 6);
   store(blended(a, b, c, weights), packet.point);
   const auto attributes = hn::Load(i, packet.attributes.data());
   const M carried = hn::RebindMask(d, hn::Gt(attributes, hn::Set(i, -1)));
@@ -79,8 +80,8 @@ void place(const HitTables& tables, HitPacket& packet) {
   P normal{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
   if (!hn::AllFalse(d, carried)) {
     const auto row = hn::Mul(hn::Max(attributes, hn::Zero(i)), hn::Set(i, 16));
-    const P corners = blended(gather(tables.attributes, row, 0), gather(tables.attributes, row, 3),
-                              gather(tables.attributes, row, 6), weights);
+    const P corners = blended(gather(all_attributes, row, 0), gather(all_attributes, row, 3),
+                              gather(all_attributes, row, 6), weights);
     const P unit = normalised(corners);
     usable = hn::And(carried, hn::Gt(dot(unit, unit), hn::Zero(d)));
     normal = tables.renormalise ? unit : corners;

@@ -25,6 +25,8 @@ struct alignas(32) HitPacket {
   std::array<Lanes, 3> weights{}, to_eye{};
   std::array<Lanes, 3> point{}, normal{};  ///< of the surface, in world space
   std::array<Lanes, 3> colour{};           ///< the result
+  /// Where meshes are shared, triangles and attributes of the lanes alone; else null: HitTables has those of the scene.
+  const float *own_triangles = nullptr, *own_attributes = nullptr;
 };
 
 /// What shading reads of a material, as one row of a table.

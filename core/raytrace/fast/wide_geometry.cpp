@@ -11,13 +11,38 @@ WideTriangle wide_triangle(const TracedGeometry<float>& geometry, std::uint32_t 
   return {triangle.a, triangle.b, triangle.c, primitive};
 }
 
+WideGeometry seen_well(WideGeometry made, const TracedGeometry<float>& traced) {
+  const SeenFrom seen = see_from_well(made.triangles.nodes, made.others, traced);
+  made.triangles.centre = seen.centre;
+  made.reach = seen.reach;
+  return made;
+}
+
 }  // namespace
+
+SeenFrom see_from_well(LargeArray<WideNode>& nodes, const Bvh<float>& others, const TracedGeometry<float>& traced) {
+  constexpr float far = 16;  // nearer ones keep the planes that they have
+  const SeenFrom world{Vec3f(0), traced.float_reach};
+  Box<float> box;
+  if (!others.nodes.empty()) box = others.nodes[0].box;
+  for (std::size_t slot = 0; slot < wide_width; ++slot)
+    for (int axis = 0; axis < 3; ++axis) {
+      box.low[axis] = std::min(box.low[axis], nodes[0].planes[2 * axis][slot]);
+      box.high[axis] = std::max(box.high[axis], nodes[0].planes[2 * axis + 1][slot]);
+    }
+  if (box.empty() || !traced.solids.empty()) return world;
+  const Vec3f middle = (box.low + box.high) * 0.5f;
+  const float reach = std::max(largest_component(box.low - middle), largest_component(box.high - middle));
+  if (!(world.reach > far * reach)) return world;
+  see_from(middle, nodes);
+  return {middle, reach};
+}
 
 Bvh<float> tree_over(const TracedGeometry<float>& geometry, const std::vector<std::uint32_t>& primitives) {
   std::vector<Box<float>> boxes;
   boxes.reserve(primitives.size());
   for (const std::uint32_t primitive : primitives)
-    boxes.push_back(primitive_box(geometry, geometry.primitives[primitive]));
+    boxes.push_back(primitive_box(geometry, primitive_of(geometry, primitive)));
   Bvh<float> bvh = build_bvh<float>(boxes);
   for (std::uint32_t& entry : bvh.order) entry = primitives[entry];
   return bvh;
@@ -30,13 +55,13 @@ std::shared_ptr<const WideGeometry> wide_geometry(const Scene& scene, const Trac
   return prepared.get<WideGeometry>(key, [&] {
     const auto triangle = [&](std::uint32_t primitive) { return wide_triangle(geometry, primitive); };
     if (only_float_triangles(geometry))  // the tree that is there anyway
-      return WideGeometry{widen(*traced_bvh<float>(scene, geometry, prepared), triangle), {}};
+      return seen_well({widen(*traced_bvh<float>(scene, geometry, prepared), triangle), {}}, geometry);
     std::vector<std::uint32_t> triangles, others;
     for (std::uint32_t k = 0; k < bounded_count(geometry); ++k) {
       const std::uint32_t i = bounded_primitive(geometry, k);
       (is_float_triangle(geometry.primitives[i]) ? triangles : others).push_back(i);
     }
-    return WideGeometry{widen(tree_over(geometry, triangles), triangle), tree_over(geometry, others)};
+    return seen_well({widen(tree_over(geometry, triangles), triangle), tree_over(geometry, others)}, geometry);
   });
 }
 
@@ -58,7 +83,7 @@ std::shared_ptr<const WideGeometry> wide_octree_geometry(const Scene& scene, con
       if (!is_float_triangle(geometry.primitives[primitive])) return {};
       return wide_triangle(geometry, primitive);
     };
-    return WideGeometry{widen_octree(octree, triangle), tree_over(geometry, others)};
+    return seen_well({widen_octree(octree, triangle), tree_over(geometry, others)}, geometry);
   });
 }
 

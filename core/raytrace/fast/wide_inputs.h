@@ -4,19 +4,23 @@
 
 #include "raytrace/base/trace_inputs.h"
 #include "raytrace/fast/wide_geometry.h"
+#include "raytrace/fast/wide_instances.h"
 #include "raytrace/fast/wide_packet.h"
 #include "raytrace/fast/wide_search.h"
 
 namespace ps {
 
-/// What the SIMD searches read besides TraceInputs, made once for each picture: one of the two geometries, with the
-/// functions for the triangle test on this processor.
+/// What the SIMD searches read besides TraceInputs, made once for each picture: one of the three geometries, with
+/// the functions for the triangle test on this processor.
 struct WideInputs {
   /// The accelerator's triangles. A search finds the hits of the clear path, but visits nodes of its own.
   std::shared_ptr<const WideGeometry> wide;
-  std::shared_ptr<const ListGeometry> list;  ///< with accelerator = none
-  bool only_triangles = false;               ///< the scene holds nothing else
+  std::shared_ptr<const ListGeometry> list;        ///< with accelerator = none
+  std::shared_ptr<const WideInstances> instances;  ///< with accelerator = two-level
+  bool only_triangles = false;                     ///< the scene holds nothing else
+  SeenFrom seen;                                   ///< how boxes are seen
   WideSearches searches;
+  InstanceSearches instance_searches;
   PacketSearches packets;  ///< for rays of neighbouring pixels in `wide`; may be missing
 };
 

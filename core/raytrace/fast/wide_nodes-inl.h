@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "accel/slab.h"
 #include "hwy/highway.h"
 #include "raytrace/fast/wide_search.h"
 
@@ -23,26 +24,45 @@ inline constexpr std::size_t box_lanes = HWY_TARGET == HWY_SSE4 ? 4 : 8;
 
 /// The ray's numbers as a node's test wants them: t of a plane is plane * inverse - from. With u = 2^-24, the rounding
 /// of the reciprocal, of `from` and of t moves a plane by no more than 6 u times the largest coordinate (of boxes and
-/// origin), and WideQuery::pad is at least 32 u times that: a quarter more covers it.
+/// origin), that of planes and origin as they are seen from WideBvh::centre by 2 u; WideQuery::pad is at least 32 u
+/// times that: a quarter more covers it.
 struct BoxRay {
   /// x, y and z side by side, and a lane that means nothing.
   using Axes = hn::Vec<hn::Full128<float>>;
 
-  HWY_INLINE explicit BoxRay(const WideQuery& query) {
+  HWY_INLINE BoxRay(const WideQuery& query, const Vec3f& centre)
+      : BoxRay(query.ray.origin - centre, query.ray.direction, Vec3f(1.25f * query.pad)) {}
+  /// `pads`: by how much boxes are grown on each axis.
+  HWY_INLINE BoxRay(const Vec3f& from, const Vec3f& along, const Vec3f& pads) {
     const hn::Full128<float> d;
-    const Vec3f& o = query.ray.origin;
-    const Vec3f& along = query.ray.direction;
-    const Axes direction = axes(along), origin = axes(o);
+    const Axes direction = axes(along), origin = axes(from);
     const Axes sign = hn::And(direction, hn::SignBit(d));
     // A component of (about) zero would make 0 * infinity. This little moves no point of the ray by more than `pad`.
     const float least = 1e-20f * std::max(std::max(std::abs(along.x), std::abs(along.y)), std::abs(along.z));
     const Axes size = hn::Max(hn::Abs(direction), hn::Set(d, least));
     const Axes inverse = hn::Or(hn::Div(hn::Set(d, 1.0f), size), sign);
-    const Axes grown = hn::Or(hn::Set(d, 1.25f * query.pad), sign);
-    const Axes near = hn::Mul(hn::Add(origin, grown), inverse), far = hn::Mul(hn::Sub(origin, grown), inverse);
+    const Axes grown = hn::Or(axes(pads), sign);
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(d, hn::MaskFromVec(direction), bytes);
-    const unsigned down = bytes[0] & 7u;
+    set(bytes[0] & 7u, inverse, hn::Mul(hn::Add(origin, grown), inverse), hn::Mul(hn::Sub(origin, grown), inverse));
+  }
+  /// Of a ray that is ready for boxes: they are grown as much again, for the rounding of the products here.
+  HWY_INLINE explicit BoxRay(const SlabRay<float>& ray) {
+    const float least = std::min(std::min(std::abs(ray.inverse.x), std::abs(ray.inverse.y)), std::abs(ray.inverse.z));
+    Vec3f inverse, near, far;
+    unsigned down = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool negative = ray.negative[static_cast<std::size_t>(axis)];
+      const float size = std::min(std::abs(ray.inverse[axis]), 1e20f * least);
+      const float again = (ray.entering[axis] - ray.leaving[axis]) / 2;
+      inverse[axis] = negative ? -size : size;
+      near[axis] = (ray.entering[axis] + again) * inverse[axis];
+      far[axis] = (ray.leaving[axis] - again) * inverse[axis];
+      down |= negative ? 1u << axis : 0u;
+    }
+    set(down, axes(inverse), axes(near), axes(far));
+  }
+  HWY_INLINE void set(unsigned down, Axes inverse, Axes near, Axes far) {
     octant_shift = 3 * static_cast<int>(down);
     plane_x = (down & 1u) * wide_width;
     plane_y = (2 + (down >> 1 & 1u)) * wide_width;
@@ -156,6 +176,40 @@ HWY_INLINE bool enter_node(const WideNode& node, const BoxRay& ray, Boxes8 limit
     next = waiting.child[--top];
     return true;
   }
+}
+
+/// Follows a ray through a tree, from near to far: leaf(first, count) is called for the leaves that it meets before
+/// `best`, and says whether `best` has improved; with `ends`, that is the end.
+template <bool ends, class Leaf>
+HWY_INLINE void walk_nodes(const WideNode* nodes, const BoxRay& boxes, const Hit<float>& best, std::uint64_t& visits,
+                           Leaf&& leaf) {
+  Waiting waiting;
+  std::size_t top = 0;
+  WideChild current = 0;
+  std::uint64_t node_visits = 0;
+  auto limit = hn::Set(Boxes(), best.t);
+  while (true) {
+    while (!is_leaf(current)) {
+      ++node_visits;
+      if (enter_node(nodes[current], boxes, limit, waiting, top, current)) continue;
+      do {
+        if (top == 0) goto done;
+        --top;
+      } while (!ends && waiting.near[top] > best.t);
+      current = waiting.child[top];
+    }
+    if (leaf(leaf_first(current), leaf_count(current))) {
+      if (ends) goto done;
+      limit = hn::Set(Boxes(), best.t);
+    }
+    do {
+      if (top == 0) goto done;
+      --top;
+    } while (!ends && waiting.near[top] > best.t);
+    current = waiting.child[top];
+  }
+done:
+  visits += node_visits;
 }
 
 }  // namespace ps::HWY_NAMESPACE

@@ -53,13 +53,29 @@ Vec3f corner(const TriangleBlock<wide_block_width>& block, int corner, std::uint
   return {axes[0][lane], axes[1][lane], axes[2][lane]};
 }
 
+/// Of the rays in `inside`, those for which the triangle counts.
+HWY_NOINLINE M filtered(M inside, const TriangleBlock<wide_block_width>& block, std::uint32_t lane,
+                        const WidePacket& packet) {
+  const D d;
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(d, inside, bits);
+  const TracedTriangle<float> triangle{corner(block, 0, lane), corner(block, 1, lane), corner(block, 2, lane), -1};
+  for (std::size_t i = 0; i < packet_width; ++i) {
+    const Vec3f direction{packet.direction[0][i], packet.direction[1][i], packet.direction[2][i]};
+    const unsigned bit = 1u << i;
+    if ((bits[0] & bit) != 0 && !packet.filter->counts(direction, block.primitive[lane], triangle))
+      bits[0] = static_cast<std::uint8_t>(bits[0] & ~bit);
+  }
+  return hn::LoadMaskBits(d, bits);
+}
+
 template <SimdTriangleTest test>
 struct Triangles;
 
 /// triangle_moeller_trumbore.h for eight rays and one triangle.
 template <>
 struct Triangles<SimdTriangleTest::moeller_trumbore> {
-  explicit Triangles(const WidePacket& packet) : epsilon(all(packet.triangle_epsilon)) {
+  explicit Triangles(const WidePacket& rays) : packet(rays), epsilon(all(rays.triangle_epsilon)) {
     const D d;
     origin = {hn::Load(d, packet.origin[0].data()), hn::Load(d, packet.origin[1].data()),
               hn::Load(d, packet.origin[2].data())};
@@ -87,10 +103,12 @@ struct Triangles<SimdTriangleTest::moeller_trumbore> {
     if (hn::AllFalse(d, hn::Ge(hn::Add(hn::Min(hn::Min(u_size, v_size), rest), slack), zero))) return;
     const V u = hn::Div(u_part, determinant), v = hn::Div(v_part, determinant), t = hn::Div(t_part, determinant);
     const M positive = hn::And(hn::Ge(u, zero), hn::Ge(v, zero));
-    const M inside = hn::And(hn::And(hn::Gt(size, epsilon), positive), hn::Le(hn::Add(u, v), one));
+    M inside = hn::And(hn::And(hn::Gt(size, epsilon), positive), hn::Le(hn::Add(u, v), one));
+    if (HWY_UNLIKELY(packet.filter != nullptr)) inside = filtered(inside, block, lane, packet);
     take(inside, t, hn::Sub(hn::Sub(one, u), v), u, v, block.primitive[lane], t_min, t_max, best);
   }
 
+  const WidePacket& packet;
   P origin, direction;
   V t_min, t_max, epsilon;
 };
@@ -135,6 +153,7 @@ struct Triangles<SimdTriangleTest::watertight> {
     if (hn::AllFalse(d, inside)) return;
     const V determinant = hn::Add(hn::Add(u, v), w);
     inside = hn::And(inside, hn::Ne(determinant, zero));
+    if (HWY_UNLIKELY(packet.filter != nullptr)) inside = filtered(inside, block, lane, packet);
     const V az = hn::Mul(shear_z, a.z), bz = hn::Mul(shear_z, b.z), cz = hn::Mul(shear_z, c.z);
     const V sum = hn::Add(hn::Add(hn::Mul(u, az), hn::Mul(v, bz)), hn::Mul(w, cz));
     take(inside, hn::Div(sum, determinant), hn::Div(u, determinant), hn::Div(v, determinant), hn::Div(w, determinant),
@@ -155,8 +174,10 @@ struct Triangles<SimdTriangleTest::watertight> {
       t[i] = result.t;
       for (std::size_t k = 0; k < 3; ++k) weights[k][i] = result.weights[k];
     }
-    take(hn::Gt(hn::Load(d, inside), hn::Zero(d)), hn::Load(d, t), hn::Load(d, weights[0]), hn::Load(d, weights[1]),
-         hn::Load(d, weights[2]), block.primitive[lane], t_min, t_max, best);
+    M counts = hn::Gt(hn::Load(d, inside), hn::Zero(d));
+    if (packet.filter != nullptr) counts = filtered(counts, block, lane, packet);
+    take(counts, hn::Load(d, t), hn::Load(d, weights[0]), hn::Load(d, weights[1]), hn::Load(d, weights[2]),
+         block.primitive[lane], t_min, t_max, best);
   }
 
   const WidePacket& packet;
@@ -170,9 +191,10 @@ struct Axis {
   std::size_t near_plane = 0, far_plane = 0;
 };
 
-HWY_INLINE Axis box_axis(const WidePacket& packet, std::size_t axis, V least) {
+HWY_INLINE Axis box_axis(const WidePacket& packet, const Vec3f& centre, std::size_t axis, V least) {
   const D d;
-  const V direction = hn::Load(d, packet.direction[axis].data()), origin = hn::Load(d, packet.origin[axis].data());
+  const V direction = hn::Load(d, packet.direction[axis].data());
+  const V origin = hn::Sub(hn::Load(d, packet.origin[axis].data()), all(centre[static_cast<int>(axis)]));
   const V sign = hn::And(direction, hn::SignBit(d));
   const V pad = hn::Or(all(1.25f * packet.pad), sign);
   Axis result;
@@ -185,15 +207,15 @@ HWY_INLINE Axis box_axis(const WidePacket& packet, std::size_t axis, V least) {
   return result;
 }
 
-/// The rays of a packet as boxes are tested.
+/// The rays of a packet as boxes are tested, seen from WideBvh::centre.
 struct BoxAxes {
-  explicit BoxAxes(const WidePacket& packet) {
+  BoxAxes(const WidePacket& packet, const Vec3f& centre) {
     const D d;
     const auto size = [&](std::size_t axis) { return hn::Abs(hn::Load(d, packet.direction[axis].data())); };
     const V least = hn::Mul(all(1e-20f), hn::Max(hn::Max(size(0), size(1)), size(2)));
-    x = box_axis(packet, 0, least);
-    y = box_axis(packet, 1, least);
-    z = box_axis(packet, 2, least);
+    x = box_axis(packet, centre, 0, least);
+    y = box_axis(packet, centre, 1, least);
+    z = box_axis(packet, centre, 2, least);
   }
   Axis x, y, z;
 };
@@ -218,8 +240,8 @@ HWY_INLINE LaneSpan span_in_box(const BoxAxes& rays, V limit, Plane&& plane) {
 /// All rays of a packet from one point at once, against the eight boxes of a node: intervals in place of numbers.
 class Beam {
  public:
-  Beam(const WidePacket& packet, const BoxAxes& rays)
-      : axes_{side(packet, 0, rays.x), side(packet, 1, rays.y), side(packet, 2, rays.z)} {
+  Beam(const WidePacket& packet, const Vec3f& centre, const BoxAxes& rays)
+      : axes_{side(packet, centre, 0, rays.x), side(packet, centre, 1, rays.y), side(packet, centre, 2, rays.z)} {
     for (const Side& axis : axes_) one_origin_ = one_origin_ && axis.one_origin;
   }
   /// Bit i: some ray may meet box i before `limit`. The last factor makes up for the rounding of the products.
@@ -245,9 +267,9 @@ class Beam {
     std::size_t near_plane, far_plane;
     bool one_origin;
   };
-  static Side side(const WidePacket& packet, std::size_t axis, const Axis& rays) {
+  static Side side(const WidePacket& packet, const Vec3f& centre, std::size_t axis, const Axis& rays) {
     const D d;
-    const float origin = packet.origin[axis][0];
+    const float first = packet.origin[axis][0], origin = first - centre[static_cast<int>(axis)];
     const float grown = std::copysign(1.25f * packet.pad, packet.direction[axis][0]);
     return {all(origin + grown),
             all(origin - grown),
@@ -255,17 +277,18 @@ class Beam {
             hn::MaxOfLanes(d, rays.inverse),
             rays.near_plane,
             rays.far_plane,
-            hn::AllTrue(d, hn::Eq(hn::Load(d, packet.origin[axis].data()), all(origin)))};
+            hn::AllTrue(d, hn::Eq(hn::Load(d, packet.origin[axis].data()), all(first)))};
   }
   Side axes_[3];
   bool one_origin_ = true;
 };
 
-unsigned meets(const Box<float>& box, const WidePacket& packet) {
+unsigned meets(const Box<float>& box, const WidePacket& packet, const Vec3f& centre) {
   const D d;
-  const float planes[6] = {box.low.x, box.high.x, box.low.y, box.high.y, box.low.z, box.high.z};
+  const Vec3f low = box.low - centre, high = box.high - centre;
+  const float planes[6] = {low.x, high.x, low.y, high.y, low.z, high.z};
   const auto plane = [&](std::size_t index) HWY_ATTR { return all(planes[index]); };
-  const LaneSpan span = span_in_box(BoxAxes(packet), hn::Load(d, packet.t_max.data()), plane);
+  const LaneSpan span = span_in_box(BoxAxes(packet, centre), hn::Load(d, packet.t_max.data()), plane);
   std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(d, hn::Le(span.first, span.last), bytes);
   return bytes[0];
@@ -275,8 +298,8 @@ template <SimdTriangleTest test>
 void search(const WideBvh& bvh, const WidePacket& packet, WidePacketHits& hits, WideCount& count) {
   const D d;
   const I i;
-  const BoxAxes rays(packet);
-  const Beam beam(packet, rays);
+  const BoxAxes rays(packet, bvh.centre);
+  const Beam beam(packet, bvh.centre, rays);
   const auto octant_shift =
       3 * ((rays.x.near_plane & 1u) | (rays.y.near_plane & 1u) << 1 | (rays.z.near_plane & 1u) << 2);
   const Triangles<test> triangles(packet);

@@ -16,8 +16,9 @@ struct alignas(32) WidePacket {
   using Lanes = std::array<float, packet_width>;
   std::array<Lanes, 3> origin, direction;  ///< by axis
   Lanes t_min, t_max;
-  float pad = 0;               ///< as in WideQuery
-  float triangle_epsilon = 0;  ///< for Moeller-Trumbore
+  float pad = 0;                           ///< as in WideQuery
+  float triangle_epsilon = 0;              ///< for Moeller-Trumbore
+  const TriangleFilter* filter = nullptr;  ///< as in WideQuery
 };
 
 /// Best hits known so far, lane by lane; primitive -1 = none, and then t = t_max.
@@ -32,8 +33,8 @@ struct alignas(32) WidePacketHits {
 bool suits_packet(const Ray<float>* rays, std::size_t count);
 
 using PacketSearch = void (*)(const WideBvh& bvh, const WidePacket& packet, WidePacketHits& hits, WideCount& count);
-/// Bit i: ray i may meet something in the box, which is grown as in WideQuery.
-using PacketBoxTest = unsigned (*)(const Box<float>& box, const WidePacket& packet);
+/// Bit i: ray i may meet something in the box, which is grown as in WideQuery. `centre`: as in WideBvh.
+using PacketBoxTest = unsigned (*)(const Box<float>& box, const WidePacket& packet, const Vec3f& centre);
 
 struct PacketSearches {
   PacketSearch nearest = nullptr;

@@ -24,42 +24,16 @@ enum class Find { nearest, any };
 
 template <SimdTriangleTest test, Find find>
 void search(const WideBvh& bvh, const WideQuery& query, Hit<float>& best, WideCount& count) {
-  const BoxRay boxes(query);
   const BlockRay<test, wide_block_width> triangles(query);
-  const WideNode* const nodes = bvh.nodes.data();
-  const TriangleBlock<wide_block_width>* const all_blocks = bvh.blocks.data();
-  Waiting waiting;
-  std::size_t top = 0;
-  WideChild current = 0;
-  std::uint64_t node_visits = 0, block_tests = 0;
-  auto limit = hn::Set(Boxes(), best.t);
-  while (true) {
-    while (!is_leaf(current)) {
-      ++node_visits;
-      if (enter_node(nodes[current], boxes, limit, waiting, top, current)) continue;
-      do {
-        if (top == 0) goto done;
-        --top;
-      } while (find == Find::nearest && waiting.near[top] > best.t);
-      current = waiting.child[top];
-    }
-    const TriangleBlock<wide_block_width>* const blocks = all_blocks + leaf_first(current);
-    const std::uint32_t number = leaf_count(current);
+  const TriangleBlock<wide_block_width>* const blocks = bvh.blocks.data();
+  std::uint64_t block_tests = 0;
+  const auto test_blocks = [&](std::uint32_t first, std::uint32_t number) HWY_ATTR {
     block_tests += number;
     bool found = false;
-    for (std::uint32_t i = 0; i < number; ++i) found |= triangles.test(blocks[i], 0, query, best);
-    if (found) {
-      if (find == Find::any) goto done;
-      limit = hn::Set(Boxes(), best.t);
-    }
-    do {
-      if (top == 0) goto done;
-      --top;
-    } while (find == Find::nearest && waiting.near[top] > best.t);
-    current = waiting.child[top];
-  }
-done:
-  count.nodes += node_visits;
+    for (std::uint32_t i = 0; i < number; ++i) found |= triangles.test(blocks[first + i], 0, query, best);
+    return found;
+  };
+  walk_nodes<find == Find::any>(bvh.nodes.data(), BoxRay(query, bvh.centre), best, count.nodes, test_blocks);
   count.triangles += wide_block_width * block_tests;
 }
 

@@ -3,6 +3,7 @@
 
 #include "accel/wide_bvh.h"
 #include "options/settings.h"
+#include "raytrace/base/placed_instance.h"
 #include "raytrace/base/ray.h"
 
 namespace ps {
@@ -11,10 +12,19 @@ namespace ps {
 /// eight at a time. Only boxes are tested differently from the clear path; a triangle's t and weights come from the
 /// same operations in the same order, and the lowest primitive wins ties, so both find the same hit to the last bit.
 
+/// Which triangles count besides: those that have a back let rays pass from there.
+class TriangleFilter {
+ public:
+  virtual ~TriangleFilter() = default;
+  /// Of a triangle that the ray meets: may it be a hit?
+  virtual bool counts(const Vec3f& direction, std::uint32_t primitive, const TracedTriangle<float>& triangle) const = 0;
+};
+
 struct WideQuery {
   const Ray<float>& ray;
   float pad = 0;               ///< boxes are grown by this much, and a quarter more for rounding in their own test
   float triangle_epsilon = 0;  ///< for Moeller-Trumbore
+  const TriangleFilter* filter = nullptr;  ///< null: every triangle counts
 };
 
 /// Work done by queries. The same on every SIMD target.

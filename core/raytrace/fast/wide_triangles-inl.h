@@ -43,6 +43,21 @@ struct Block {
   }
 };
 
+template <int width>
+HWY_INLINE TracedTriangle<float> triangle_in(const TriangleBlock<width>& block, int lane) {
+  TracedTriangle<float> triangle;
+  for (int axis = 0; axis < 3; ++axis) {
+    triangle.a[axis] = block.corner[0][axis][lane];
+    triangle.b[axis] = block.corner[1][axis][lane];
+    triangle.c[axis] = block.corner[2][axis][lane];
+  }
+  return triangle;
+}
+template <int width>
+HWY_NOINLINE bool passes_filter(const TriangleBlock<width>& block, const WideQuery& query, int lane) {
+  return query.filter->counts(query.ray.direction, block.primitive[lane], triangle_in(block, lane));
+}
+
 /// Of the lanes in `bits`, takes those that win: nearer, or as near with a lower index. `primitives` and `t` begin at
 /// lane 0; `weights(lane)` and `confirmed(lane)` are called for lanes that would win.
 template <class Weights, class Confirmed>
@@ -109,7 +124,8 @@ struct BlockRay<SimdTriangleTest::moeller_trumbore, width> {
     hn::Store(u, d, us);
     hn::Store(v, d, vs);
     const auto weights = [&](int i) { return std::array<float, 3>{1.0f - us[i] - vs[i], us[i], vs[i]}; };
-    return take_best(block.primitive + from, bits, ts, query, best, weights, [](int) { return true; });
+    const auto confirmed = [&](int i) { return query.filter == nullptr || passes_filter(block, query, from + i); };
+    return take_best(block.primitive + from, bits, ts, query, best, weights, confirmed);
   }
 
   Point origin, direction;
@@ -206,20 +222,17 @@ struct BlockRay<SimdTriangleTest::watertight, width> {
     hn::Store(w, d, ws);
     hn::Store(determinant, d, sums);
     const auto weights = [&](int i) { return std::array<float, 3>{us[i] / sums[i], vs[i] / sums[i], ws[i] / sums[i]}; };
-    const auto confirmed = [&](int i) { return query.ray.start == no_primitive || unguarded(block, query, from + i); };
+    const auto confirmed = [&](int i) {
+      return (query.ray.start == no_primitive || unguarded(block, query, from + i)) &&
+             (query.filter == nullptr || passes_filter(block, query, from + i));
+    };
     return take_best(block.primitive + from, bits, ts, query, best, weights, confirmed);
   }
 
   /// For the few candidates of rays that leave a surface: is t beyond its own rounding error? The clear path knows.
   HWY_NOINLINE bool unguarded(const TriangleBlock<width>& block, const WideQuery& query, int lane) const {
-    TracedTriangle<float> triangle;
-    for (int axis = 0; axis < 3; ++axis) {
-      triangle.a[axis] = block.corner[0][axis][lane];
-      triangle.b[axis] = block.corner[1][axis][lane];
-      triangle.c[axis] = block.corner[2][axis][lane];
-    }
-    return triangle_watertight(query.ray.origin, shear, triangle, TriangleGuard::rounding_of_t).verdict ==
-           TriangleVerdict::inside;
+    return triangle_watertight(query.ray.origin, shear, triangle_in(block, lane), TriangleGuard::rounding_of_t)
+               .verdict == TriangleVerdict::inside;
   }
 
   Shear<float> shear;
