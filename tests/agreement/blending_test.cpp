@@ -67,6 +67,30 @@ TEST(Blending, GivesTheSharesOfTheirOrder) {
   expect_near(at(front_to_back, "blending=off"), blue, 0);
 }
 
+// With shares that are not one half source and destination cannot be exchanged unseen. The far sheet lets a quarter
+// through, the near one three quarters.
+TEST(Blending, SourceAndDestinationHaveTheirOwnShares) {
+  const std::string far = "triangle { vertices = [(-9, -9, 5), (0, 18, 5), (9, -9, 5)]  color = red  "
+                          "transparency = 0.25 }\n",
+                    near = "triangle { vertices = [(-9, -9, 3), (0, 18, 3), (9, -9, 3)]  color = blue  "
+                           "transparency = 0.75 }\n";
+  const Vec3d right = 0.25 * blue + 0.75 * (0.75 * red + 0.25 * white), hidden = 0.25 * blue + 0.75 * white;
+  for (const bool near_first : {false, true})
+    for (const int samples : {1, 4})
+      for (const Blending blending : {Blending::sorted, Blending::draw_order}) {
+        const Scene scene = parse_scene("background = white\n" + (near_first ? near + far : far + near) +
+                                            "settings { renderer = rasterizer  lighting = off }\n",
+                                        "sheets.scene", ".");
+        Settings settings = settings_for(scene);
+        settings.blending = blending;
+        settings.multisampling = samples;
+        const Frame frame = render(scene, {scene.camera, 20, 20}, settings, request_for(Channel::none));
+        const bool sorted = blending == Blending::sorted || !near_first;
+        SCOPED_TRACE(std::to_string(samples) + (near_first ? ", near first" : ", far first"));
+        expect_near(Vec3d(frame.colour.at(10, 10)), sorted ? right : hidden, 1e-6);
+      }
+}
+
 TEST(Blending, SortedShowsWhatRaysSee) {
   const Sheets sheets;
   const Image<Vec3f> rays = sheets.draw({"renderer=ray-tracer"});

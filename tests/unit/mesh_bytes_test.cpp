@@ -45,6 +45,15 @@ TEST(MeshBytes, VerticesThatDifferInAnAttributeAreTwo) {
   two.triangles[1].uv = {1, 1, 1};
   EXPECT_EQ(bytes_of_mesh(two).vertices, 6u);
   EXPECT_EQ(bytes_of_mesh(two).shared, 6u * 20 + 24);
+  // Vertices 1 and 2, which both triangles share, have two normals each.
+  two.uvs.clear();
+  two.normals = {{0, 0, 1}, {0, 1, 0}};
+  two.triangles[1].uv = {0, 0, 0};
+  two.triangles[0].normal = {0, 0, 0};
+  two.triangles[1].normal = {1, 1, 1};
+  EXPECT_EQ(bytes_of_mesh(two).vertices, 6u);
+  EXPECT_EQ(bytes_of_mesh(two).shared, 6u * 24 + 24);
+  EXPECT_EQ(bytes_of_mesh(two).unshared, 6u * 24);
   EXPECT_EQ(bytes_of_mesh(Mesh{}).unshared, 0u);
   EXPECT_EQ(mesh_bytes_text({}), "");
   EXPECT_EQ(mesh_bytes_text({1280, 642, 15360, 46080}),
