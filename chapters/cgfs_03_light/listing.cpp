@@ -13,18 +13,23 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+using Roots = std::array<double, 2>;
+
 Vec3d canvas_to_viewport(const BookScene& scene, int x, int y) {
-  const double across = x * scene.camera.viewport_width / scene.width;
-  const double upwards = y * scene.camera.viewport_height / scene.height;
-  return scene.camera.right * across + scene.camera.up * upwards +
-         scene.camera.forward * scene.camera.projection_plane_d;
+  const Camera& camera = scene.camera;
+  const double across = x * camera.viewport_width / scene.width;
+  const double upwards = y * camera.viewport_height / scene.height;
+  return camera.right * across + camera.up * upwards +
+         camera.forward * camera.projection_plane_d;
 }
 
-std::array<double, 2> intersect_ray_sphere(const Vec3d& origin, const Vec3d& direction, const BookSphere& sphere) {
-  const Vec3d from_centre = origin - sphere.centre;
+Roots intersect_ray_sphere(Vec3d origin, Vec3d direction,
+                           const BookSphere& sphere) {
+  const double r = sphere.radius;
+  const Vec3d co = origin - sphere.centre;
   const double a = dot(direction, direction);
-  const double b = 2 * dot(from_centre, direction);
-  const double c = dot(from_centre, from_centre) - sphere.radius * sphere.radius;
+  const double b = 2 * dot(co, direction);
+  const double c = dot(co, co) - r * r;
   const double discriminant = b * b - 4 * a * c;
   PS_WATCH("discriminant", discriminant);
   if (discriminant < 0) return {infinity, infinity};
@@ -34,9 +39,10 @@ std::array<double, 2> intersect_ray_sphere(const Vec3d& origin, const Vec3d& dir
   return {t1, t2};
 }
 
-// How much light a point sends towards the viewer: the sum over all lights.
-double compute_lighting(const BookScene& scene, const Vec3d& point, const Vec3d& normal, const Vec3d& view,
-                        double specular) {
+// How much light a point sends to the viewer: a sum over all
+// lights.
+double compute_lighting(const BookScene& scene, Vec3d point,
+                        Vec3d normal, Vec3d view, double specular) {
   double intensity = 0;
   for (const Light& light : scene.lights) {
     PS_EACH("light", kind_name(light));
@@ -45,14 +51,17 @@ double compute_lighting(const BookScene& scene, const Vec3d& point, const Vec3d&
       PS_WATCH("intensity so far", intensity);
       continue;
     }
-    const Vec3d to_light = light.kind == LightKind::point ? light.position - point : light.direction;
+    const bool near = light.kind == LightKind::point;
+    const Vec3d to_light =
+        near ? light.position - point : light.direction;
     PS_WATCH("to light", to_light);
 
-    // Diffuse: the more the light grazes the surface, the thinner it is spread.
+    // Diffuse: light that grazes the surface is spread thinly.
     const double n_dot_l = dot(normal, to_light);
     PS_WATCH("N . L", n_dot_l);
     if (n_dot_l > 0) {
-      intensity += light.intensity * n_dot_l / (length(normal) * length(to_light));
+      const double lengths = length(normal) * length(to_light);
+      intensity += light.intensity * n_dot_l / lengths;
       PS_WATCH("with diffuse", intensity);
     }
 
@@ -62,7 +71,9 @@ double compute_lighting(const BookScene& scene, const Vec3d& point, const Vec3d&
       const double r_dot_v = dot(reflected, view);
       PS_WATCH("R . V", r_dot_v);
       if (r_dot_v > 0) {
-        intensity += light.intensity * power(r_dot_v / (length(reflected) * length(view)), specular);
+        const double lengths = length(reflected) * length(view);
+        const double cosine = r_dot_v / lengths;
+        intensity += light.intensity * power(cosine, specular);
         PS_WATCH("with specular", intensity);
       }
     }
@@ -70,12 +81,15 @@ double compute_lighting(const BookScene& scene, const Vec3d& point, const Vec3d&
   return intensity;
 }
 
-Vec3d trace_ray(const BookScene& scene, const Vec3d& origin, const Vec3d& direction, double t_min, double t_max) {
+Vec3d trace_ray(const BookScene& scene, Vec3d origin,
+                Vec3d direction, double t_min, double t_max) {
   double closest_t = infinity;
   const BookSphere* closest_sphere = nullptr;
   for (const BookSphere& sphere : scene.spheres) {
     PS_EACH("sphere", sphere.name);
-    for (const double t : intersect_ray_sphere(origin, direction, sphere)) {
+    const Roots roots =
+        intersect_ray_sphere(origin, direction, sphere);
+    for (const double t : roots) {
       if (t < closest_t && t_min < t && t < t_max) {
         closest_t = t;
         closest_sphere = &sphere;
@@ -91,18 +105,22 @@ Vec3d trace_ray(const BookScene& scene, const Vec3d& origin, const Vec3d& direct
   const Vec3d from_centre = point - closest_sphere->centre;
   const Vec3d normal = from_centre * (1 / length(from_centre));
   PS_WATCH("normal", normal);
-  const double intensity = compute_lighting(scene, point, normal, -direction, closest_sphere->specular);
+  const double specular = closest_sphere->specular;
+  const double intensity =
+      compute_lighting(scene, point, normal, -direction, specular);
   PS_WATCH("intensity", intensity);
   return closest_sphere->colour * intensity;
 }
 
 void draw(const BookScene& scene, BookCanvas& canvas) {
+  const Vec3d origin = scene.camera.position;
   for (int x = canvas.left(); x < canvas.right(); ++x) {
     for (int y = canvas.bottom(); y < canvas.top(); ++y) {
       PS_PIXEL(x, y);
       const Vec3d direction = canvas_to_viewport(scene, x, y);
       PS_WATCH("direction", direction);
-      const Vec3d colour = trace_ray(scene, scene.camera.position, direction, 1, infinity);
+      const Vec3d colour =
+          trace_ray(scene, origin, direction, 1, infinity);
       PS_WATCH("colour", colour);
       canvas.put_pixel(x, y, colour);
     }
@@ -117,14 +135,17 @@ extern const Listing cgfs_03_light;
 const Listing cgfs_03_light{
     .label = "light",
     .source = "CGFS ch. 3",
-    .shows = "Spheres with diffuse and specular light, without shadows.",
+    .shows =
+        "Spheres with diffuse and specular light, without shadows.",
     .order = ListingOrder::pixel_by_pixel,
     .reads = {},
     .draws = {.spheres = true, .light = true},
     .suits =
         [](const SceneTraits& traits, const Settings& settings) {
           if (!traits.spheres) return 0;
-          return settings.lighting && settings.shadows == Shadows::none && !traits.reflective ? 5 : 2;
+          const bool shadows = settings.shadows != Shadows::none;
+          if (!settings.lighting || shadows) return 2;
+          return traits.reflective ? 2 : 5;
         },
     .draw = ps::cgfs_03_light::draw,
 };

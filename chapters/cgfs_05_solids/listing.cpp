@@ -87,17 +87,11 @@ const Triangle* trace_ray(const Triangles& all, const Ray& ray) {
   return closest;
 }
 
-// Model to world: scale, rotate, move.
-Mat4d place_of(const Transform& t) {
-  const Mat4d turn = rotation_matrix(t.rotation);
-  const Mat4d scale = scale_matrix(t.scale);
-  return translation_matrix(t.translation) * (turn * scale);
-}
-
 Triangles triangles_of(const BookScene& scene) {
   Triangles all;
   for (const BookInstance& instance : scene.instances) {
-    const Mat4d place = place_of(instance.instance->transform);
+    const Transform& t = instance.instance->transform;
+    const Mat4d place = model_to_world(t);
     const auto& positions = instance.model->positions;
     for (const MeshTriangle& mesh : instance.model->triangles) {
       Triangle triangle;
@@ -145,12 +139,19 @@ extern const Listing cgfs_05_solids;
 const Listing cgfs_05_solids{
     .label = "ray and triangle",
     .source = "CGFS ch. 5",
-    .shows = "Models in plain colours by rays: the plane of a triangle, then its three edges.",
+    .shows = "Models in plain colours by rays: the plane of a "
+             "triangle, then its three edges.",
     .order = ListingOrder::pixel_by_pixel,
     .reads = {"near"},
     .draws = {.models = true},
-    .as_settings = [](Settings& settings) { settings.triangle_test = TriangleTest::cross_products; },
-    .suits = [](const SceneTraits& traits, const Settings&) { return traits.triangles ? 1 : 0; },
+    .as_settings =
+        [](Settings& settings) {
+          settings.triangle_test = TriangleTest::cross_products;
+        },
+    .suits =
+        [](const SceneTraits& traits, const Settings&) {
+          return traits.triangles ? 1 : 0;
+        },
     .draw = ps::cgfs_05_solids::draw,
 };
 }  // namespace textbook

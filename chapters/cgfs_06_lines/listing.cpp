@@ -13,8 +13,10 @@ namespace ps {
 namespace cgfs_06_lines {
 namespace {
 
-// One value of d for each whole step of i from i0 to i1: the slope is added again and again.
-std::vector<double> interpolate(double i0, double d0, double i1, double d1) {
+// One value of d for each whole step of i from i0 to i1: the slope
+// is added again and again.
+std::vector<double> interpolate(double i0, double d0, double i1,
+                                double d1) {
   if (i0 == i1) return {d0};
   std::vector<double> values;
   const double a = (d1 - d0) / (i1 - i0);
@@ -27,8 +29,10 @@ std::vector<double> interpolate(double i0, double d0, double i1, double d1) {
   return values;
 }
 
-// A line without gaps: along the axis on which it is longer, one pixel for each step.
-void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour) {
+// A line without gaps: one pixel for each step along the axis on
+// which it is longer.
+void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1,
+               Vec3d colour) {
   if (std::abs(p1.x - p0.x) > std::abs(p1.y - p0.y)) {
     // Rather flat: one pixel for each x.
     if (p1.x < p0.x) std::swap(p0, p1);
@@ -39,7 +43,8 @@ void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour) {
       PS_PIXEL(x, y);
       PS_WATCH("y", y);
       canvas.put_pixel(x, y, colour);
-      PS_WATCH("x, y as drawn", Vec2d(std::trunc(x), std::trunc(y)));
+      PS_WATCH("x, y as drawn",
+               Vec2d(std::trunc(x), std::trunc(y)));
     }
   } else {
     // Rather steep: one pixel for each y.
@@ -51,18 +56,22 @@ void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour) {
       PS_PIXEL(x, y);
       PS_WATCH("x", x);
       canvas.put_pixel(x, y, colour);
-      PS_WATCH("x, y as drawn", Vec2d(std::trunc(x), std::trunc(y)));
+      PS_WATCH("x, y as drawn",
+               Vec2d(std::trunc(x), std::trunc(y)));
     }
   }
 }
 
 void draw(const BookScene& scene, BookCanvas& canvas) {
-  for (const CanvasItem& item : lines_and_triangles(*scene.scene.canvas_items)) {
+  const auto items = lines_and_triangles(*scene.scene.canvas_items);
+  for (const CanvasItem& item : items) {
     const auto* line = std::get_if<CanvasLine>(&item);
-    if (!line || canvas.far_outside(line->points[0]) || canvas.far_outside(line->points[1])) continue;
-    PS_REACHING("line from", line->points[0]);
-    PS_WATCH("to", line->points[1]);
-    draw_line(canvas, line->points[0], line->points[1], line->colour * 255.0);
+    if (!line) continue;
+    const auto& [p0, p1] = line->points;
+    if (canvas.far_outside(p0) || canvas.far_outside(p1)) continue;
+    PS_REACHING("line from", p0);
+    PS_WATCH("to", p1);
+    draw_line(canvas, p0, p1, line->colour * 255.0);
   }
 }
 
@@ -78,10 +87,11 @@ const Listing cgfs_06_lines{
     .order = ListingOrder::object_by_object,
     .reads = {},
     .draws = {.canvas_lines = true},
-    .suits = [](const SceneTraits& traits,
-                const Settings&) { return !traits.canvas_items      ? 0
-                                          : traits.canvas_triangles ? 1
-                                                                    : 5; },
+    .suits =
+        [](const SceneTraits& traits, const Settings&) {
+          if (!traits.canvas_items) return 0;
+          return traits.canvas_triangles ? 1 : 5;
+        },
     .draw = ps::cgfs_06_lines::draw,
 };
 }  // namespace textbook

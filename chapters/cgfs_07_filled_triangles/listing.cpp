@@ -15,7 +15,8 @@ namespace cgfs_07_filled_triangles {
 namespace {
 
 // Interpolate, of the chapter before.
-std::vector<double> interpolate(double i0, double d0, double i1, double d1) {
+std::vector<double> interpolate(double i0, double d0, double i1,
+                                double d1) {
   if (i0 == i1) return {d0};
   std::vector<double> values;
   const double a = (d1 - d0) / (i1 - i0);
@@ -27,12 +28,16 @@ std::vector<double> interpolate(double i0, double d0, double i1, double d1) {
   return values;
 }
 
-// One pixel of a shape: paint covers what is below, light is added to it.
-void mix_pixel(BookCanvas& canvas, double x, double y, const Vec3d& colour, Blend blend) {
-  canvas.put_pixel(x, y, blended(blend, canvas.get_pixel(x, y), colour));
+// One pixel of a shape: paint covers what is below, light is added
+// to it.
+void mix_pixel(BookCanvas& canvas, double x, double y, Vec3d colour,
+               Blend blend) {
+  const Vec3d below = canvas.get_pixel(x, y);
+  canvas.put_pixel(x, y, blended(blend, below, colour));
 }
 
-void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour, Blend blend) {
+void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, Vec3d colour,
+               Blend blend) {
   if (std::abs(p1.x - p0.x) > std::abs(p1.y - p0.y)) {
     if (p1.x < p0.x) std::swap(p0, p1);
     const auto ys = interpolate(p0.x, p0.y, p1.x, p1.y);
@@ -56,8 +61,10 @@ void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour, Blen
   }
 }
 
-// Row by row, from the left edge to the right one, both ends included.
-void draw_filled_triangle(BookCanvas& canvas, Vec2d p0, Vec2d p1, Vec2d p2, const Vec3d& colour, Blend blend) {
+// Row by row, from the left edge to the right one, both ends
+// included.
+void draw_filled_triangle(BookCanvas& canvas, Vec2d p0, Vec2d p1,
+                          Vec2d p2, Vec3d colour, Blend blend) {
   // Sorted by height, from below.
   if (p1.y < p0.y) std::swap(p1, p0);
   if (p2.y < p0.y) std::swap(p2, p0);
@@ -66,10 +73,11 @@ void draw_filled_triangle(BookCanvas& canvas, Vec2d p0, Vec2d p1, Vec2d p2, cons
   PS_WATCH("middle vertex", p1);
   PS_WATCH("highest vertex", p2);
 
-  // x on each row. One edge goes from the lowest vertex to the highest; the two others share the way.
-  const std::vector<double> x02 = interpolate(p0.y, p0.x, p2.y, p2.x);
-  std::vector<double> x012 = interpolate(p0.y, p0.x, p1.y, p1.x);
-  const std::vector<double> x12 = interpolate(p1.y, p1.x, p2.y, p2.x);
+  // x on each row. The long edge goes from the lowest vertex to the
+  // highest one; the two short edges share the way.
+  const auto x02 = interpolate(p0.y, p0.x, p2.y, p2.x);
+  auto x012 = interpolate(p0.y, p0.x, p1.y, p1.x);
+  const auto x12 = interpolate(p1.y, p1.x, p2.y, p2.x);
   x012.pop_back();  // the row of p1 is in both
   x012.insert(x012.end(), x12.begin(), x12.end());
   PS_WATCH("rows", x012.size());
@@ -83,7 +91,8 @@ void draw_filled_triangle(BookCanvas& canvas, Vec2d p0, Vec2d p1, Vec2d p2, cons
 
   for (double y = p0.y; y <= p2.y; ++y) {
     PS_REACHING("row", y);
-    const double left = entry(x_left, y, p0.y), right = entry(x_right, y, p0.y);
+    const double left = entry(x_left, y, p0.y);
+    const double right = entry(x_right, y, p0.y);
     PS_WATCH("left, right", Vec2d(left, right));
     for (double x = left; x <= right; ++x) {
       PS_PIXEL(x, y);
@@ -96,20 +105,31 @@ void draw_filled_triangle(BookCanvas& canvas, Vec2d p0, Vec2d p1, Vec2d p2, cons
 }
 
 void draw(const BookScene& scene, BookCanvas& canvas) {
-  for (const CanvasItem& item : lines_and_triangles(*scene.scene.canvas_items)) {
+  const auto items = lines_and_triangles(*scene.scene.canvas_items);
+  for (const CanvasItem& item : items) {
     if (const auto* line = std::get_if<CanvasLine>(&item)) {
-      if (canvas.far_outside(line->points[0]) || canvas.far_outside(line->points[1])) continue;
-      PS_REACHING("line from", line->points[0]);
-      draw_line(canvas, line->points[0], line->points[1], line->colour * 255.0, line->blend);
+      const auto& [from, to] = line->points;
+      if (canvas.far_outside(from) || canvas.far_outside(to))
+        continue;
+      PS_REACHING("line from", from);
+      draw_line(canvas, from, to, line->colour * 255.0,
+                line->blend);
       continue;
     }
     const auto& triangle = std::get<CanvasTriangle>(item);
     std::array<Vec2d, 3> p = triangle.points;
-    if (canvas.far_outside(p[0]) || canvas.far_outside(p[1]) || canvas.far_outside(p[2])) continue;
-    for (Vec2d& vertex : p) vertex = {std::trunc(vertex.x), std::trunc(vertex.y)};  // rows are whole numbers
+    bool far = false;
+    for (Vec2d& vertex : p) {
+      far = far || canvas.far_outside(vertex);
+      // Rows are whole numbers.
+      vertex = {std::trunc(vertex.x), std::trunc(vertex.y)};
+    }
+    if (far) continue;
     PS_REACHING("triangle with vertex", p[0]);
+    const Blend blend = triangle.blend;
     const Vec3d colour = triangle.colours[0] * 255.0;
-    if (triangle.filled) draw_filled_triangle(canvas, p[0], p[1], p[2], colour, triangle.blend);
+    if (triangle.filled)
+      draw_filled_triangle(canvas, p[0], p[1], p[2], colour, blend);
     if (triangle.outline) {
       const Vec3d outline = *triangle.outline * 255.0;
       draw_line(canvas, p[0], p[1], outline, Blend::replace);
@@ -127,11 +147,15 @@ extern const Listing cgfs_07_filled_triangles;
 const Listing cgfs_07_filled_triangles{
     .label = "filled triangles",
     .source = "CGFS ch. 7",
-    .shows = "Triangles and lines on the canvas, filled row by row in one colour.",
+    .shows = "Triangles and lines on the canvas, filled row by row "
+             "in one colour.",
     .order = ListingOrder::object_by_object,
     .reads = {},
     .draws = {.canvas_lines = true, .canvas_triangles = true},
-    .suits = [](const SceneTraits& traits, const Settings&) { return traits.canvas_items ? 3 : 0; },
+    .suits =
+        [](const SceneTraits& traits, const Settings&) {
+          return traits.canvas_items ? 3 : 0;
+        },
     .draw = ps::cgfs_07_filled_triangles::draw,
 };
 }  // namespace textbook

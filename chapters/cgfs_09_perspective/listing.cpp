@@ -60,17 +60,11 @@ Vec3d seen_from(const Camera& camera, const Vec3d& p) {
   return {x, y, dot(way, camera.forward)};
 }
 
-// Model to world: scale, rotate, move.
-Mat4d place_of(const Transform& t) {
-  const Mat4d turn = rotation_matrix(t.rotation);
-  const Mat4d scale = scale_matrix(t.scale);
-  return translation_matrix(t.translation) * (turn * scale);
-}
-
 void draw(const BookScene& scene, BookCanvas& canvas) {
   for (const BookInstance& instance : scene.instances) {
     PS_REACHING("cube", instance.name);
-    const Mat4d place = place_of(instance.instance->transform);
+    const Transform& t = instance.instance->transform;
+    const Mat4d place = model_to_world(t);
     const auto& positions = instance.model->positions;
 
     for (const MeshTriangle& side : instance.model->triangles) {
@@ -104,7 +98,8 @@ extern const Listing cgfs_09_perspective;
 const Listing cgfs_09_perspective{
     .label = "the first cube",
     .source = "CGFS ch. 9",
-    .shows = "Models as the edges of their triangles: each vertex is divided by its distance.",
+    .shows = "Models as the edges of their triangles: each vertex "
+             "is divided by its distance.",
     .order = ListingOrder::object_by_object,
     .reads = {},
     .draws = {.models = true},
@@ -113,7 +108,10 @@ const Listing cgfs_09_perspective{
           settings.draw = Draw::wireframe;
           settings.line_algorithm = LineAlgorithm::general;
         },
-    .suits = [](const SceneTraits& traits, const Settings&) { return traits.triangles ? 1 : 0; },
+    .suits =
+        [](const SceneTraits& traits, const Settings&) {
+          return traits.triangles ? 1 : 0;
+        },
     .draw = ps::cgfs_09_perspective::draw,
 };
 }  // namespace textbook

@@ -192,18 +192,12 @@ Vec3d seen_from(const Camera& camera, const Vec3d& p) {
   return {x, y, dot(way, camera.forward)};
 }
 
-// Model to world: scale, rotate, move.
-Mat4d place_of(const Transform& t) {
-  const Mat4d turn = rotation_matrix(t.rotation);
-  const Mat4d scale = scale_matrix(t.scale);
-  return translation_matrix(t.translation) * (turn * scale);
-}
-
 void draw(const BookScene& scene, BookCanvas& canvas) {
   Picture to{scene, canvas};
   for (const BookInstance& instance : scene.instances) {
     PS_REACHING("instance", instance.name);
-    const Mat4d place = place_of(instance.instance->transform);
+    const Transform& t = instance.instance->transform;
+    const Mat4d place = model_to_world(t);
     const auto& positions = instance.model->positions;
     for (const MeshTriangle& mesh : instance.model->triangles) {
       PS_REACHING("triangle", instance.number_of(mesh));
@@ -230,7 +224,8 @@ extern const Listing cgpp_15_6_which_pixels;
 const Listing cgpp_15_6_which_pixels{
     .label = "three coverage loops",
     .source = "CGPP 15.6",
-    .shows = "Models in plain colours: every pixel asked by a ray, then those of a box, then by weights on the canvas.",
+    .shows = "Models in plain colours: every pixel asked by a ray, "
+             "then those of a box, then by weights on the canvas.",
     .order = ListingOrder::object_by_object,
     .reads = {"coverage"},
     .draws = {.models = true},
@@ -240,7 +235,10 @@ const Listing cgpp_15_6_which_pixels{
           settings.subpixel_bits = 12;
           settings.depth_value = DepthValue::distance;
         },
-    .suits = [](const SceneTraits& traits, const Settings&) { return traits.triangles ? 1 : 0; },
+    .suits =
+        [](const SceneTraits& traits, const Settings&) {
+          return traits.triangles ? 1 : 0;
+        },
     .draw = ps::cgpp_15_6_which_pixels::draw,
 };
 }  // namespace textbook

@@ -50,6 +50,20 @@ inline Mat4d camera_rotation_inverse(const Camera& camera) {
   return m;
 }
 
+/// Where an instance's vertices are in the world: scaled, then rotated, then moved (CGFS ch. 10).
+inline Mat4d model_to_world(const Transform& t) {
+  return translation_matrix(t.translation) * (rotation_matrix(t.rotation) * scale_matrix(t.scale));
+}
+
+/// The world as the camera sees it: what moved and turned the camera is undone (CGFS ch. 10).
+inline Mat4d world_to_camera(const Camera& camera) {
+  return camera_rotation_inverse(camera) * translation_matrix(-camera.position);
+}
+
+/// The nearest whole numbers not below x and not above it.
+inline int round_up(double x) { return static_cast<int>(std::ceil(x)); }
+inline int round_down(double x) { return static_cast<int>(std::floor(x)); }
+
 /// The values of d along whole steps of i from i0 to i1, by adding the slope again and again (CGFS ch. 6).
 template <class Value>
 std::vector<Value> interpolate(double i0, const Value& d0, double i1, const Value& d1) {

@@ -13,10 +13,8 @@ constexpr double pixels_around = 2;
 
 /// Where the vertices are on the canvas, in pixels from the picked one; no numbers for those behind the camera.
 std::vector<Vec2d> places_from_pixel(const BookScene& scene, const BookInstance& instance, Vec2i pixel) {
-  const Transform& t = instance.instance->transform;
-  const Mat4d model = translation_matrix(t.translation) * (rotation_matrix(t.rotation) * scale_matrix(t.scale));
   const Camera& camera = scene.camera;
-  const Mat4d to_camera = camera_rotation_inverse(camera) * translation_matrix(-camera.position) * model;
+  const Mat4d to_camera = world_to_camera(camera) * model_to_world(instance.instance->transform);
   const Vec2d scale{camera.projection_plane_d * scene.width / camera.viewport_width,
                     camera.projection_plane_d * scene.height / camera.viewport_height};
   std::vector<Vec2d> places;

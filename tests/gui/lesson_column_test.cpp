@@ -26,7 +26,7 @@ TEST(LessonColumn, AKeyAndTabsChooseAndANewStepShowsItsText) {
                    // Not a step of the history: what is undone is the step.
                    "key Shift+PageDown\nwait idle\n" + text + "key V\n" + tool + "key Ctrl+Z\nwait idle\n" + text +
                    // An answer's verdict is in the text.
-                   "key Shift+PageDown\nwait idle\nclick column/tool\n" + tool + "click listing/line-36/pick\n" + fits +
+                   "key Shift+PageDown\nwait idle\nclick column/tool\n" + tool + "click listing/line-41/pick\n" + fits +
                    "click question/answer\nwait idle\n" + text + "expect lesson/ask-again contains again\n" + fits,
                large + "cgfs_02_basic_ray_tracing/9");
 }
@@ -39,8 +39,8 @@ TEST(LessonColumn, AQuestionForALineLeadsToTheListingAndBack) {
   for (const std::string size : {"1024x768", "1366x768"})
     expect_plays("bug-" + size,
                  text + "click question/turn\n" + tool + "click question/turn\n" + text + "click question/turn\n" +
-                     tool + "click listing/line-36/pick\n" + tool + "expect question/answer \"Answer: line 36\"\n" +
-                     "click question/turn\n" + text + "expect question/answer \"Answer: line 36\"\n" +
+                     tool + "click listing/line-41/pick\n" + tool + "expect question/answer \"Answer: line 41\"\n" +
+                     "click question/turn\n" + text + "expect question/answer \"Answer: line 41\"\n" +
                      "click question/answer\nwait idle\nexpect lesson/column text\nexpect question/points 1\n" + fits,
                  large + "cgfs_02_basic_ray_tracing/10", size);
 }

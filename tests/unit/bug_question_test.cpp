@@ -43,13 +43,13 @@ TEST(BugQuestion, TheLineIsFoundAndClicksAreJudgedByIt) {
   Progress progress;
   const MeasuredAnswer right = measure_answer(question, progress);
   EXPECT_EQ(right.bug, "sunken_spheres");
-  EXPECT_EQ(right.line.number, 36);  // of listing.cpp, in which the sentence at the head of the variant is missing
+  EXPECT_EQ(right.line.number, 41);  // of listing.cpp, in which the sentence at the head of the variant is missing
   EXPECT_EQ(right.line.right, "  const double t2 = (-b - std::sqrt(discriminant)) / (2 * a);");
-  EXPECT_EQ(judge(question, {.line = 36}, right).points, 1);
-  EXPECT_EQ(judge(question, {.line = 36}, right).sentence, "Right. The root is missing.");
-  for (const int wrong : {0, 35, 37}) EXPECT_EQ(judge(question, {.line = wrong}, right).points, 0);
-  EXPECT_EQ(judge(question, {.line = 35}, right).sentence,
-            "Line 35 is the same in both listings. The bug is in line 36. The root is missing.");
+  EXPECT_EQ(judge(question, {.line = 41}, right).points, 1);
+  EXPECT_EQ(judge(question, {.line = 41}, right).sentence, "Right. The root is missing.");
+  for (const int wrong : {0, 40, 42}) EXPECT_EQ(judge(question, {.line = wrong}, right).points, 0);
+  EXPECT_EQ(judge(question, {.line = 40}, right).sentence,
+            "Line 40 is the same in both listings. The bug is in line 41. The root is missing.");
 }
 
 /// Of another bug another line is right.
@@ -58,7 +58,7 @@ TEST(BugQuestion, EachBugHasItsOwnLine) {
   const LessonQuestion question = question_with("set-both renderer=textbook\nset listing-bug=no-horizon\n");
   const MeasuredAnswer right = measure_answer(question, progress);
   EXPECT_EQ(right.line.number, 30);
-  EXPECT_EQ(judge(question, {.line = 36}, right).points, 0);
+  EXPECT_EQ(judge(question, {.line = 41}, right).points, 0);
 }
 
 TEST(BugQuestion, TheCheckFindsBadOnes) {
@@ -99,14 +99,14 @@ TEST(BugQuestion, HandoutsHoldBackTheLine) {
   const Lesson lesson = lesson_with(sides + "pixel 40,118\n", asks);
   const std::string student = handout_html(lesson, HandoutFor::student, progress);
   EXPECT_NE(student.find("  26  std::array&lt;double, 2&gt; intersect_ray_sphere("), std::string::npos);
-  EXPECT_NE(student.find("  36    const double t2 = (-b - discriminant) / (2 * a);"), std::string::npos);
+  EXPECT_NE(student.find("  41    const double t2 = (-b - discriminant) / (2 * a);"), std::string::npos);
   EXPECT_NE(student.find("  39  }"), std::string::npos);
   EXPECT_EQ(student.find("canvas_to_viewport"), std::string::npos);  // another function
   EXPECT_EQ(student.find("trace_ray"), std::string::npos);
-  EXPECT_EQ(student.find("std::sqrt(discriminant)) / (2 * a);\n  37"), std::string::npos);
+  EXPECT_EQ(student.find("std::sqrt(discriminant)) / (2 * a);\n  42"), std::string::npos);
   EXPECT_EQ(student.find("The root is missing."), std::string::npos);
   const std::string teacher = handout_html(lesson, HandoutFor::teacher, progress);
-  EXPECT_NE(teacher.find("Line 36. "), std::string::npos);
+  EXPECT_NE(teacher.find("Line 41. "), std::string::npos);
   EXPECT_NE(teacher.find("The root is missing."), std::string::npos);
 }
 

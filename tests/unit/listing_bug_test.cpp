@@ -233,7 +233,7 @@ TEST(ListingBug, InspectShowsItsLinesAndValues) {
   const auto shown = test::run_cli_well({"inspect", "cgfs/spheres", "--pixel", "300,430", "--set", "renderer=textbook",
                                          "--set", "listing-bug=sunken-spheres"});
   EXPECT_NE(shown.out.find("bugs/sunken_spheres.bug"), std::string::npos) << shown.out;
-  const auto at = shown.out.find("  36    const double t2 = (-b - discriminant) / (2 * a);");
+  const auto at = shown.out.find("  41    const double t2 = (-b - discriminant) / (2 * a);");
   ASSERT_NE(at, std::string::npos) << shown.out;
   EXPECT_NE(shown.out.substr(at, shown.out.find('\n', at) - at).find("| t1, t2 = ("), std::string::npos) << shown.out;
 }

@@ -13,7 +13,9 @@
 #include "support/run_cli.h"
 #include "support/trials.h"
 #include "textbook/book_math.h"
+#include "textbook/bug_patch.h"
 #include "textbook/listing_events.h"
+#include "textbook/listing_source.h"
 #include "textbook/listing_view.h"
 
 namespace ps {
@@ -102,6 +104,18 @@ TEST(Listing, SaysThatIntensitiesAreLeftOut) {
   const Scene colours = load_scene("chapters/cgfs_08_shaded_triangles/colours.scene");
   EXPECT_NE(left_out_by("listing=cgfs-08-shaded-triangles", colours).find("gradients"), std::string::npos);
   EXPECT_EQ(left_out_by("listing=cgfs-07-filled-triangles", load_scene("cgfs/triangles")), "");
+}
+
+/// The room for a listing beside a picture on a small screen: no line of it is broken there.
+TEST(Listing, LinesHaveAtMost68Columns) {
+  for (const NamedListing& listing : listings()) {
+    int number = 0;
+    for (const std::string& line : listing_lines(listing_source(listing))) {
+      ++number;
+      EXPECT_LE(line.size(), 68u) << listing.folder << ", line " << number << ": " << line;
+    }
+    EXPECT_GT(number, 50) << listing.folder;
+  }
 }
 
 TEST(Listing, TextLeavesTheWatchesOut) {
