@@ -12,6 +12,7 @@
 #include "base/failure_text.h"
 #include "base/foreign_text.h"
 #include "base/progress.h"
+#include "base/quoted_line.h"
 #include "base/spelling.h"
 #include "base/standard_output.h"
 #include "base/version.h"
@@ -23,13 +24,13 @@ namespace {
 constexpr int check_failed = 1;
 constexpr int bad_input = 2;
 
-/// One line on standard error, whatever the message, and not all of a long one.
-int fail(std::string message, int status) {
+/// One line on standard error, whatever the message, and not all of a long one; behind it what is quoted of a file.
+int fail(std::string message, int status, const std::string& quoted = {}) {
   constexpr std::size_t longest = 4000;
   if (message.size() > longest) message = message.substr(0, longest) + "...";
   std::replace_if(
       message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  message = ps::foreign_text(message);                                       // it may quote a file
+  message = ps::foreign_text(message + quoted);                              // it may quote a file
   std::fputs(fmt::format("pixelscope-cli: {}\n", message).c_str(), stderr);  // fmt::print would throw where that fails
   return status;
 }
@@ -60,7 +61,7 @@ int act(const ps::cli::Action& action) {
     if (std::ferror(stdout) != 0) return fail(ps::unprinted_text(error.code().value()), bad_input);
     return fail(ps::failure_text(error), bad_input);
   } catch (const std::exception& error) {
-    return fail(ps::failure_text(error), bad_input);
+    return fail(ps::failure_text(error), bad_input, ps::quoted_lines(error));
   }
 }
 

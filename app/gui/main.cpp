@@ -9,6 +9,8 @@
 #include "added_renderers.h"
 #include "base/check.h"
 #include "base/failure_text.h"
+#include "base/foreign_text.h"
+#include "base/quoted_line.h"
 #include "base/standard_output.h"
 #include "base/version.h"
 #include "document/number_list.h"
@@ -96,7 +98,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::Error& error) {
     std::cerr << "pixelscope: " << error.what() << '\n';
   } catch (const std::exception& error) {  // InputError, WindowError and what a library throws
-    std::cerr << "pixelscope: " << ps::failure_text(error) << '\n';
+    std::cerr << "pixelscope: " << ps::foreign_text(ps::failure_text(error) + ps::quoted_lines(error)) << '\n';
   }
   return 2;
 }

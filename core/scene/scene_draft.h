@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/check.h"
 #include "image/read_limit.h"
 #include "scene/scene.h"
 #include "scene/scene_fields.h"
@@ -28,6 +29,8 @@ struct SceneDraft {
   std::vector<std::filesystem::path> including;  ///< the chain of files being read, outermost first
   std::size_t triangles = 0;                     ///< of models and of instances
   std::size_t texels = 0;                        ///< of all textures
+  std::vector<InputError> errors;                ///< of entries read so far
+  std::vector<std::string> lost_names;           ///< that these would have given, as messages show them
 };
 
 /// Where relative names in the file being read begin.

@@ -1,10 +1,13 @@
 #include "scene/scene_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "base/input_errors.h"
 #include "scene/finish_draft.h"
 #include "scene/scene_draft.h"
 #include "scene/scene_keys.h"
@@ -106,8 +109,32 @@ void read_entry(const SceneSource& source, const SceneEntry& entry, SceneDraft& 
   fail_unknown_key(source.values, entry, "a scene", top_level_keys());
 }
 
+/// The names that a block would have given, also those inside it.
+void note_lost_names(const SceneEntry& entry, SceneDraft& draft) {
+  if (entry.key == "name") draft.lost_names.push_back(entry.value.shown());
+  for (const SceneEntry& child : entry.value.entries) note_lost_names(child, draft);
+}
+
+/// Goes on behind an entry with an error, so that those of other entries are found as well. An entry that only misses
+/// what an earlier one failed to define has none of its own. Behind an include too much is missing to go on.
 void read_text(std::string_view text, const SceneSource& source, SceneDraft& draft) {
-  for (const SceneEntry& entry : scene_tree(text, source.values.file())) read_entry(source, entry, draft);
+  constexpr std::size_t most_errors = 5;
+  const std::size_t depth = draft.including.size();
+  for (const SceneEntry& entry : scene_tree(text, source.values.file())) {
+    try {
+      read_entry(source, entry, draft);
+    } catch (const InputErrors&) {
+      throw;  // of an included file
+    } catch (const InputError& error) {
+      const auto& lost = draft.lost_names;
+      if (std::find(lost.begin(), lost.end(), error.found()) == lost.end()) draft.errors.push_back(error);
+      if (entry.key == "include" || draft.errors.size() == most_errors) throw InputErrors(std::move(draft.errors));
+      note_lost_names(entry, draft);
+      draft.including.resize(depth);
+      draft.group = {};
+      draft.group_depth = 0;
+    }
+  }
 }
 
 void read_include(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
@@ -156,6 +183,7 @@ Scene parse_scene(std::string_view text, const std::string& file, const std::fil
   std::error_code ignored;
   draft.including.push_back(std::filesystem::weakly_canonical(file, ignored));
   read_text(text, {SceneValues(file), folder}, draft);
+  if (!draft.errors.empty()) throw InputErrors(std::move(draft.errors));
   return finish_draft(std::move(draft));
 }
 

@@ -14,12 +14,19 @@ using test::ScratchFolder;
 
 constexpr const char* good_scene = "sphere { center = (0, 0, 3) radius = 1 color = (255, 0, 0) }\n";
 
-/// The program must refuse with status 2 and one line on standard error that holds `message`.
+/// One line is the message; those behind it quote a file, or are about further errors in it.
+bool is_one_message(const std::string& text) {
+  const std::string first = text.substr(0, text.find('\n') + 1), rest = text.substr(first.size());
+  return first.starts_with("pixelscope-cli: ") && rest.find("pixelscope-cli: ") == std::string::npos &&
+         (rest.empty() || (rest.starts_with("    ") && rest.ends_with('\n')));
+}
+
+/// The program must refuse with status 2 and one message on standard error that holds `message`.
 void expect_refused(const std::vector<std::string>& arguments, const std::string& message) {
   const auto result = run_cli(arguments);
   EXPECT_EQ(result.status, 2) << result.out << result.err;
   EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
-  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  EXPECT_TRUE(is_one_message(result.err)) << result.err;
   EXPECT_TRUE(result.out.empty()) << result.out;
 }
 
@@ -45,6 +52,12 @@ TEST(CliBadInput, Scenes) {
   expect_scene_refused("sphere { center = (0, nan, 3) radius = 1 }", "bad.scene:1:");
   expect_scene_refused("sphere { center = (0, 0, 3) radius = -1 }", "bad.scene:1:");
   expect_scene_refused("sphere { center = (0, 0, 3)", "bad.scene:1:");
+  // The line with a caret, and up to five errors at once.
+  expect_scene_refused("# mine\nsphere { center = (0, 0, 3) radius = -1 }",
+                       ": found '-1', expected a number greater than 0\n"
+                       "    sphere { center = (0, 0, 3) radius = -1 }\n"
+                       "                                         ^\n");
+  expect_scene_refused("sphere { radius = -1 }\nlight { type = sun }\n", "bad.scene:2:16: found 'sun', expected");
   expect_scene_refused("instance { model = nothing position = (0, 0, 0) }", "bad.scene:1:");
 }
 

@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <ostream>
+#include <string>
+#include <vector>
 
+#include "base/input_errors.h"
 #include "options/scene_settings.h"
 #include "scene/scene_file.h"
 #include "support/refusal.h"
@@ -118,6 +121,39 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"column_counts_characters", "title = \"Räume\" titel = 1", 1, 17, "unknown key 'titel' in a scene",
                  "'title'"}),
     [](const auto& bad) { return std::string(bad.param.name); });
+
+/// Lines and columns of all errors of a scene.
+std::vector<std::string> errors_of(const std::string& text) {
+  std::vector<std::string> places;
+  try {
+    ps::parse_scene(text, "bad.scene", ".");
+  } catch (const ps::InputErrors& errors) {
+    for (const ps::InputError& error : errors.all())
+      places.push_back(fmt::format("{}:{}", error.place().line, error.place().column));
+  }
+  return places;
+}
+
+TEST(SceneErrors, UpToFiveAtOnce) {
+  using Places = std::vector<std::string>;
+  const std::string bad = "sphere { center = (0, 0, 3) radius = -1 }\n", good = "background = red\n";
+  EXPECT_EQ(errors_of(good + bad + bad), (Places{"2:38", "3:38"}));
+  std::string many;
+  for (int i = 0; i < 7; ++i) many += bad;
+  EXPECT_EQ(errors_of(many), (Places{"1:38", "2:38", "3:38", "4:38", "5:38"}));
+  // An error inside a group does not change what is around the next one.
+  std::string groups;
+  for (int i = 0; i < 4; ++i) groups += "group { group { " + bad + "} }\n";
+  EXPECT_EQ(errors_of(groups), (Places{"1:54", "3:54", "5:54", "7:54"}));
+}
+
+TEST(SceneErrors, WhatMissesALostNameIsNotOne) {
+  using Places = std::vector<std::string>;
+  EXPECT_EQ(errors_of("material { name = m color = rde }\n"
+                      "sphere { center = (0, 0, 3) radius = 1 material = m }\n"
+                      "sphere { center = (0, 0, 3) radius = 1 material = other }\n"),
+            (Places{"1:29", "3:51"}));
+}
 
 TEST(SceneErrors, NestingIsLimited) {
   const std::string deep(1'000'000, '(');

@@ -5,6 +5,8 @@
 
 #include "base/check.h"
 #include "base/failure_text.h"
+#include "base/foreign_text.h"
+#include "base/quoted_line.h"
 
 namespace ps::gui {
 namespace {
@@ -31,7 +33,7 @@ void Loader::load(const std::string& name, std::function<Document()> make, LoadR
     try {
       loaded.document = make();
     } catch (const std::exception& error) {
-      loaded.error = failure_text(error);
+      loaded.error = failure_text(error) + foreign_text(quoted_lines(error));
       if (const auto* input = dynamic_cast<const InputError*>(&error)) loaded.error_file = input->place().file;
     }
     progress.check();

@@ -119,8 +119,9 @@ void Session::take_loaded(Loaded loaded) {
   if (is_scene)
     messages().remove(
         [&](const Message& message) { return message.about == Message::About::scene && message.file == loaded.name; });
-  const std::string stays = has_scene() ? " (the previous scene stays open)" : "";
-  messages().say({Message::Kind::error, loaded.error + stays, Message::About::scene, is_scene ? loaded.name : ""});
+  std::string text = loaded.error;
+  if (has_scene()) text.insert(std::min(text.find('\n'), text.size()), " (the previous scene stays open)");
+  messages().say({Message::Kind::error, text, Message::About::scene, is_scene ? loaded.name : ""});
   if (!is_scene) return;
   failed_files_ = {loaded.name};
   if (!loaded.error_file.empty()) failed_files_.emplace_back(loaded.error_file);

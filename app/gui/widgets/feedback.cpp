@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
+#include "base/quoted_line.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/redraw.h"
 #include "gui/widgets/shorten.h"
@@ -125,6 +127,30 @@ bool progress_bar(std::string_view name, std::string_view label, double fraction
   return button("cancel", "Cancel", Emphasis::plain, {.width = cancel_width});
 }
 
+namespace {
+
+/// Draws a message where there is a list to draw into: sentences in lines of this width, and lines that quote a file as
+/// they are, in letters of one width. Gives the height.
+float message_lines(ImDrawList* draw, ImVec2 at, std::string_view text, float width) {
+  float height = 0;
+  for (bool more = true; more;) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    more = end < text.size();
+    text.remove_prefix(more ? end + 1 : end);
+    const bool quoted = line.starts_with(quotation_indent);
+    const FontScope font(quoted ? std::optional(Face::mono) : std::nullopt);
+    const float wrap = quoted ? 0 : width;
+    if (draw)
+      draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x, at.y + height}, colour_u32(palette().text),
+                    line.data(), line.data() + line.size(), wrap);
+    height += ImGui::CalcTextSize(line.data(), line.data() + line.size(), false, wrap > 0 ? wrap : -1).y;
+  }
+  return height;
+}
+
+}  // namespace
+
 bool message_bar(std::string_view name, MessageKind kind, std::string_view text) {
   const Palette& p = palette();
   const NameScope names(name);
@@ -137,20 +163,19 @@ bool message_bar(std::string_view name, MessageKind kind, std::string_view text)
   const float button_width = px(86), inset = px(14);
   const float mark_width = mark.empty() ? 0 : text_width(mark, Face::bold) + px(10);
   const float wrap = std::max(px(80), room - button_width - 2 * inset - mark_width);
-  const ImVec2 size = ImGui::CalcTextSize(text.data(), text.data() + text.size(), false, wrap);
-  const float height = std::max(size.y, ImGui::GetFrameHeight()) + px(10);
+  const float words = message_lines(nullptr, {}, text, wrap);
+  const float height = std::max(words, ImGui::GetFrameHeight()) + px(10);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec2 end{start.x + room, start.y + height};
   draw.AddRectFilled(start, end, colour_u32(p.field));
   draw.AddRectFilled(start, {start.x + px(5), end.y}, colour_u32(accent));
   if (kind == MessageKind::warning) attention_bar(draw, start, {start.x + px(5), end.y});
-  const float y = start.y + (height - size.y) / 2;
+  const float y = start.y + (height - words) / 2;
   if (!mark.empty()) {
     const FontScope bold(Face::bold);
     draw.AddText({start.x + inset, y}, colour_u32(p.text), mark.data(), mark.data() + mark.size());
   }
-  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {start.x + inset + mark_width, y}, colour_u32(p.text),
-               text.data(), text.data() + text.size(), wrap);
+  message_lines(&draw, {start.x + inset + mark_width, y}, text, wrap);
   // In sight also where the window cuts a long text off.
   const float above = std::min((height - ImGui::GetFrameHeight()) / 2, 2 * ImGui::GetFrameHeight());
   ImGui::SetCursorScreenPos({end.x - button_width - px(5), start.y + above});
