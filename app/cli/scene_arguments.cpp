@@ -1,10 +1,13 @@
 #include "cli/scene_arguments.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <filesystem>
 
+#include "base/archived_file.h"
 #include "base/check.h"
 #include "base/extension.h"
 #include "base/spelling.h"
@@ -57,9 +60,10 @@ std::string link_text(const std::string& text_or_file) {
   const bool has_parts = text_or_file.find('=') != std::string::npos;
   std::error_code error;
   if (has_parts && !std::filesystem::exists(text_or_file, error)) return text_or_file;
-  if (extension != permalink_extension && extension != ".png")
-    throw InputError(fmt::format("--permalink: found '{}', expected a permalink, or a .permalink or .png file with one",
-                                 shown_start(text_or_file)));
+  if (extension != permalink_extension && extension != ".png" && extension != archive_extension)
+    throw InputError(
+        fmt::format("--permalink: found '{}', expected a permalink, or a .permalink, .png or .tar file with one",
+                    shown_start(text_or_file)));
   if (const auto link = permalink_in_file(text_or_file)) return *link;
   throw InputError(fmt::format("{}: contains no permalink", text_or_file));
 }
@@ -87,7 +91,13 @@ Document open_link(const SceneArguments& arguments) {
 
 }  // namespace
 
-Document load_document(const SceneArguments& arguments) {
+Document load_document(const SceneArguments& asked) {
+  SceneArguments arguments = asked;
+  if (std::filesystem::path(arguments.scene).extension() == archive_extension) {  // a bundle brings its settings along
+    if (!arguments.permalink.empty())
+      throw InputError(fmt::format("{}: a bundle has its own permalink, so it excludes --permalink", arguments.scene));
+    arguments.permalink = std::exchange(arguments.scene, {});
+  }
   PictureView view;
   if (!arguments.size.empty()) {
     const Vec2i size = parse_size_text(arguments.size);

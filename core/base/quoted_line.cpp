@@ -1,13 +1,14 @@
 #include "base/quoted_line.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
+#include <sstream>
 
 #include <fmt/format.h>
 
+#include "base/archived_file.h"
 #include "base/foreign_text.h"
 #include "base/input_errors.h"
+#include "base/read_file.h"
 
 namespace ps {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 constexpr std::size_t most_quoted = 72;  // bytes; also a narrow window shows them
 constexpr std::size_t kept_before = 36;  // of them before the column
 constexpr std::size_t longest = 100000;  // of a line that is looked at
+constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 28;
 
 bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }
 
@@ -35,9 +37,13 @@ std::size_t byte_of(std::string_view line, int character) {
 }  // namespace
 
 std::string quoted_line(const SourcePlace& place) {
-  std::error_code error;
-  if (place.line < 1 || place.column < 1 || !std::filesystem::is_regular_file(place.file, error)) return {};
-  std::ifstream file(place.file, std::ios::binary);
+  if (place.line < 1 || place.column < 1 || !is_any_file(place.file)) return {};
+  std::istringstream file;
+  try {
+    file.str(read_whole_file(place.file, largest_file));
+  } catch (const InputError&) {
+    return {};
+  }
   std::string line;
   for (int number = 0; number < place.line; ++number)
     if (!std::getline(file, line)) return {};

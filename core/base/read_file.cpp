@@ -5,9 +5,11 @@
 #include <memory>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "base/archived_file.h"
 #include "base/check.h"
 
 namespace ps {
@@ -26,12 +28,20 @@ namespace {
 std::string read_whole_file(const std::filesystem::path& path, std::uintmax_t max_bytes) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) refuse_input(path, "no such file");
+  const auto refuse_large = [&](std::uintmax_t bytes) {
+    if (bytes > max_bytes) refuse_input(path, fmt::format("has {} bytes, expected at most {}", bytes, max_bytes));
+  };
+  if (!std::filesystem::exists(status)) {
+    auto archived = archived_file(path);
+    if (!archived) refuse_input(path, "no such file");
+    refuse_large(archived->size());
+    return std::move(*archived);
+  }
   if (std::filesystem::is_directory(status)) refuse_input(path, "is a folder, expected a file");
   if (!std::filesystem::is_regular_file(status)) refuse_input(path, "is not a regular file");
   const auto size = std::filesystem::file_size(path, error);
   if (error) refuse_input(path, error.message());
-  if (size > max_bytes) refuse_input(path, fmt::format("has {} bytes, expected at most {}", size, max_bytes));
+  refuse_large(size);
 
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rbe"), &std::fclose);
   if (!file) fail_to_read(path, errno);

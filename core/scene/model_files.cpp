@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/archived_file.h"
+
 namespace ps {
 namespace {
 
@@ -13,16 +15,12 @@ std::string small_letters(std::string text) {
   return text;
 }
 
-bool is_file(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored);
-}
-
 }  // namespace
 
 const ModelFiles::Listing& ModelFiles::listing_of(const fs::path& folder) {
   const auto [place, is_new] = listings_.try_emplace(folder);
   if (!is_new) return place->second;
+  for (const std::string& name : names_in_archived_folder(folder)) place->second.emplace(small_letters(name), name);
   std::error_code error;
   for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end; !error && entry != end;
        entry.increment(error)) {
@@ -47,7 +45,7 @@ std::optional<fs::path> ModelFiles::find_in_any_case(const fs::path& folder, con
     if (found == listing.end()) return {};
     path /= found->second;
   }
-  if (!is_file(path)) return {};
+  if (!is_any_file(path)) return {};
   return path;
 }
 
@@ -57,7 +55,7 @@ std::optional<fs::path> ModelFiles::find(const std::vector<fs::path>& folders, s
   const fs::path whole(name);
   for (const fs::path& folder : folders)
     for (const fs::path& path : {folder / whole, folder / whole.filename()})
-      if (is_file(path)) return path;
+      if (is_any_file(path)) return path;
   for (const fs::path& folder : folders)
     for (const fs::path& part : {whole, whole.filename()})
       if (auto path = find_in_any_case(folder, part)) return path;

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/archived_file.h"
 #include "base/check.h"
 #include "image/file.h"
 #include "scene/scene_draft.h"
@@ -75,8 +76,8 @@ FileTexels texels_of_file(const std::string& path) {
   static std::map<std::string, Kept> kept;
   const std::lock_guard lock(mutex);
   std::error_code error;
-  const auto changed = std::filesystem::last_write_time(path, error);
-  const auto bytes = std::filesystem::file_size(path, error);
+  const auto changed = std::filesystem::last_write_time(file_on_disk(path), error);
+  const auto bytes = std::filesystem::file_size(file_on_disk(path), error);
   if (const auto known = kept.find(path); known != kept.end()) {
     auto texels = known->second.texels.lock();
     if (texels && known->second.changed == changed && known->second.bytes == bytes)

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/atomic_file.h"
+#include "base/tar.h"
 #include "document/permalink.h"
 #include "engine/lesson.h"
 #include "fuzz/read_or_refuse.h"
@@ -49,6 +50,29 @@ Outcome read_permalink(std::string_view bytes) {
       throw std::logic_error(std::string("what was written cannot be read: ") + error.what() + "\n" + text);
     }
     PS_ASSERT(again == text, "a permalink that was written reads back as itself");
+  });
+}
+
+/// The files that are read are written as an archive, and their names stay inside it. The sums of the headers are
+/// mended first, or few changes would get past them.
+Outcome read_bundle(std::string_view bytes) {
+  return read_or_refuse([&] {
+    constexpr std::size_t block = 512, sum_at = 148;
+    std::string mended(bytes);
+    for (std::size_t at = 0; at + block <= mended.size(); at += block) {
+      if (mended.compare(at + 257, 5, "ustar") != 0) continue;
+      mended.replace(at + sum_at, 8, 8, ' ');
+      unsigned sum = 0;
+      for (std::size_t i = 0; i < block; ++i) sum += static_cast<unsigned char>(mended[at + i]);
+      mended.replace(at + sum_at, 7, fmt::format("{:06o}", sum) + '\0');
+    }
+    const std::vector<TarEntry> files = read_tar(mended, "fuzz.tar");
+    for (const TarEntry& file : files)
+      PS_ASSERT(!file.name.starts_with('/') && file.name.find("../") != 0, "a file lies in the archive");
+    const std::vector<TarEntry> again = read_tar(tar_bytes(files), "written.tar");
+    PS_ASSERT(again.size() == files.size(), "an archive that was written has the same files");
+    for (std::size_t i = 0; i < files.size(); ++i)
+      PS_ASSERT(again[i].name == files[i].name && again[i].bytes == files[i].bytes, "each file reads back as itself");
   });
 }
 

@@ -18,8 +18,10 @@ Outcome read_or_refuse(Read read) {
   }
 }
 
-/// Of bytes that are a permalink, the log of a chart, the text of a lesson, and what a student's program writes.
+/// Of bytes that are a permalink, a bundle, the log of a chart, the text of a lesson, and what a student's program
+/// writes.
 Outcome read_permalink(std::string_view bytes);
+Outcome read_bundle(std::string_view bytes);
 Outcome read_log_of_chart(std::string_view bytes);
 Outcome read_lesson(std::string_view bytes);
 Outcome read_own_result(std::string_view bytes);

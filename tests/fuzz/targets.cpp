@@ -91,7 +91,7 @@ Outcome pfm(std::string_view bytes) { return picture(bytes, "fuzz.pfm"); }
 Outcome jpeg(std::string_view bytes) { return picture(bytes, "fuzz.jpg"); }
 Outcome tga(std::string_view bytes) { return picture(bytes, "fuzz.tga"); }
 
-constexpr std::array<Target, 12> table{{{"scene", scene},
+constexpr std::array<Target, 13> table{{{"scene", scene},
                                         {"obj", obj},
                                         {"mtl", mtl},
                                         {"png", png},
@@ -100,6 +100,7 @@ constexpr std::array<Target, 12> table{{{"scene", scene},
                                         {"jpeg", jpeg},
                                         {"tga", tga},
                                         {"permalink", read_permalink},
+                                        {"bundle", read_bundle},
                                         {"chart-log", read_log_of_chart},
                                         {"lesson", read_lesson},
                                         {"own-result", read_own_result}}};

@@ -14,7 +14,7 @@ struct Target {
   Outcome (*run)(std::string_view bytes);
 };
 
-/// scene obj mtl png pnm pfm jpeg tga permalink chart-log lesson own-result
+/// scene obj mtl png pnm pfm jpeg tga permalink bundle chart-log lesson own-result
 std::span<const Target> targets();
 const Target& target(std::string_view name);
 

@@ -182,6 +182,7 @@ void App::Parts::add_actions() {
   add_picture_actions(actions, session, my.pictures);
   add_shot_actions(actions, session, my.pictures,
                    {.ask = [this](std::function<void(Image<Rgb8>)> take) { shell.take_shot(std::move(take)); },
+                    .copy = [this](const std::string& text) { shell.set_clipboard(text); },
                     .last_folder = [this] { return files.folder(); }});
   ActionGroup tools(actions, "Study", [this] { return session.has_scene(); });
   for (Panel& panel : my.all()) {

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "base/archived_file.h"
 #include "base/atomic_file.h"
 #include "base/check.h"
 #include "base/kept_inputs.h"
+#include "document/bundle.h"
 #include "document/document_provenance.h"
 #include "document/permalink_file.h"
 #include "image/file.h"
@@ -81,6 +83,14 @@ void save_permalink_as(Session& session, std::filesystem::path path) {
   saving(session, path, [&] {
     require_no_input(path, inputs_of(session));
     save_permalink(path, session.document());
+  });
+}
+
+void save_bundle_as(Session& session, std::filesystem::path path) {
+  if (path.extension() != archive_extension) path += archive_extension;
+  saving(session, path, [&] {
+    require_no_input(path, inputs_of(session));
+    save_bundle(path, session.document());
   });
 }
 

@@ -19,6 +19,8 @@ void save_picture(Session& session, const Image<Rgb8>& picture, const std::files
 void save_scene_as(Session& session, std::filesystem::path path);
 /// Everything on the screen as a file of one line, which opens as a scene does.
 void save_permalink_as(Session& session, std::filesystem::path path);
+/// The same with the scene's own files, for other people and other machines.
+void save_bundle_as(Session& session, std::filesystem::path path);
 /// The story of the picked pixel: md, csv or json.
 void save_story_as(Session& session, std::filesystem::path path);
 /// A drawing; `svg` is empty while there is none.

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/archived_file.h"
 #include "document/permalink_file.h"
 #include "gui/frame/exports.h"
 
@@ -28,7 +29,7 @@ std::string suggested_name(const Session& session, std::string_view extension) {
 FileQuestion scene_question(Session& session) {
   return {.title = "Open a scene",
           .use = FileUse::open,
-          .extensions = {".scene", ".obj", std::string(permalink_extension)},
+          .extensions = {".scene", ".obj", permalink_extension, archive_extension},
           .hint = "path or name",
           .answer = [&session](const FileAnswer& file) {
             // A built-in name may be typed as well; the dialog puts its folder before what is not absolute.
@@ -69,6 +70,15 @@ FileQuestion save_screen_question(Session& session) {
                      .extensions = {std::string(permalink_extension)},
                      .hint = "screen.permalink",
                      .suggestion = suggested_name(session, permalink_extension),
+                     .answer = {}});
+}
+
+FileQuestion save_bundle_question(Session& session) {
+  return saves_with(session, save_bundle_as,
+                    {.title = "Save a bundle",
+                     .extensions = {archive_extension},
+                     .hint = "bundle.tar",
+                     .suggestion = suggested_name(session, archive_extension),
                      .answer = {}});
 }
 

@@ -13,6 +13,7 @@ FileQuestion compare_question(Session& session);  ///< a picture in B's place
 FileQuestion picture_question(Session& session, const PicturesState& pictures);
 FileQuestion save_scene_question(Session& session);
 FileQuestion save_screen_question(Session& session);
+FileQuestion save_bundle_question(Session& session);
 FileQuestion save_story_question(Session& session);
 FileQuestion save_drawing_question(Session& session, const SaveDrawing& drawing);
 

@@ -39,7 +39,8 @@ void MenuBar::scene_menu() {
   }
   menu_action(actions_, "reload");
   ImGui::Separator();
-  for (const char* name : {"save-picture", "shot-pictures", "shot-window", "save-scene", "save-screen", "save-story"})
+  for (const char* name : {"save-picture", "shot-pictures", "save-slide", "shot-window", "save-scene", "save-screen",
+                           "save-bundle", "save-story"})
     menu_action(actions_, name);
   ImGui::Separator();
   for (const char* name : {"picture-b", "drop-picture-b", "copy-permalink", "copy-command"})

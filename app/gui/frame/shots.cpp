@@ -2,11 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstdlib>
+#include <vector>
 
+#include "base/check.h"
+#include "document/document_provenance.h"
 #include "gui/frame/exports.h"
+#include "gui/frame/slide_picture.h"
+#include "gui/panels/pictures/caption.h"
+#include "gui/panels/pictures/difference_scale.h"
+#include "gui/panels/pictures/picture_frame.h"
+#include "gui/platform/picture_clipboard.h"
+#include "image/file.h"
 
 namespace ps::gui {
 namespace {
@@ -24,6 +34,39 @@ std::filesystem::path free_file(const Session& session, const ShotHost& host, st
   const std::filesystem::path folder = shot_folder(host.last_folder());
   const std::string name = shot_name(session.document().scene_name, local_time_now());
   return folder / fmt::format("{}{}.png", free_name(folder, name, suffix), ending);
+}
+
+/// "A: ray tracer, 3 reflections" above the picture, and its counted work below.
+SlidePart slide_part(Session& session, const PicturesState& pictures, Side side) {
+  SlidePart part;
+  part.title = fmt::format("{}: {}", letter_of(side), shown_title(session, side).text());
+  part.picture = &pictures.pictures[index_of(side)].levels;
+  if (const auto result = session.renderer(side).result(); result && !(side == Side::b && session.picture_b()))
+    for (const CaptionWork& work : caption_work(*result))
+      part.caption += (part.caption.empty() ? "" : ", ") + work_text(work);
+  return part;
+}
+
+/// The pictures that are on the screen, as one.
+void save_for_slides(Session& session, const PicturesState& pictures, const ShotHost& host) {
+  const CompareMode compare = session.document().compare;
+  std::vector<SlidePart> parts;
+  if (compare != CompareMode::only_b) parts.push_back(slide_part(session, pictures, Side::a));
+  if (compare != CompareMode::only_a) parts.push_back(slide_part(session, pictures, Side::b));
+  if (const ShownDifference& shown = pictures.difference; compare == CompareMode::difference)
+    parts.push_back({"Difference, B − A", difference_numbers_text(shown.numbers, shown.mode), &shown.picture.levels});
+  if (std::any_of(parts.begin(), parts.end(), [](const SlidePart& part) { return part.picture->empty(); }))
+    return session.say(Message::Kind::warning, "The pictures are not drawn yet.");
+  const std::filesystem::path file = free_file(session, host, "-slide", "-slide");
+  try {
+    save_image(file, slide_picture(parts), {image_texts(document_provenance(session.document(), Side::a, {}, file))});
+  } catch (const InputError& error) {
+    return session.say(Message::Kind::error, error.what());
+  }
+  host.copy(file.string());
+  const char* on_clipboard = copy_picture(file) ? "the picture" : "this path";
+  session.say(Message::Kind::information,
+              fmt::format("Saved {}; on the clipboard is {}.", file.string(), on_clipboard));
 }
 
 }  // namespace
@@ -60,6 +103,8 @@ void add_shot_actions(Actions& actions, Session& session, const PicturesState& p
       save_picture(session, shot, free_file(session, host, "-window", "-window"));
     });
   });
+  scene.add("save-slide", "Save for slides: the pictures with their titles as one, twice as large", "",
+            [&session, &pictures, host] { save_for_slides(session, pictures, host); });
 }
 
 }  // namespace ps::gui

@@ -23,10 +23,11 @@ std::string free_name(const std::filesystem::path& folder, const std::string& na
 struct ShotHost {
   /// Asks for a picture of the window as it is drawn next.
   std::function<void(std::function<void(Image<Rgb8>)>)> ask;
+  std::function<void(const std::string&)> copy;  ///< puts text on the clipboard
   std::function<std::filesystem::path()> last_folder;
 };
 
-/// The keys that save both pictures, or the window, at once under such a name.
+/// The actions that save both pictures, the window, or a picture for slides at once under such a name.
 void add_shot_actions(Actions& actions, Session& session, const PicturesState& pictures, const ShotHost& host);
 
 }  // namespace ps::gui

@@ -110,6 +110,8 @@ void add_window_actions(Actions& actions, Session& session, const PicturesState&
             [&] { copy_command(host, window_command(session.document())); });
   scene.add("save-screen", "Save the screen as a file...", "Ctrl+Shift+S",
             [&] { host.ask_file(save_screen_question(session)); });
+  scene.add("save-bundle", "Save a bundle: the screen with the scene's files...", "",
+            [&] { host.ask_file(save_bundle_question(session)); });
   ActionGroup(actions, "Edit", [&session] {
     return session.can_undo();
   }).add_repeated("undo", "Undo", "Ctrl+Z", [&session] { session.undo(); });

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/archived_file.h"
 #include "base/check.h"
 #include "document/permalink_file.h"
 #include "engine/lesson.h"
@@ -107,7 +108,7 @@ void Session::follow_files() {
 void Session::watch_files() {
   std::vector<std::filesystem::path> files;
   if (has_scene())
-    for (const auto& file : files_of(document().base)) files.emplace_back(file);
+    for (const auto& file : files_of(document().base)) files.push_back(file_on_disk(file));
   if (!failed_scene().empty()) files.insert(files.end(), failed_files_.begin(), failed_files_.end());
   loader_.watch(files);
 }

@@ -25,21 +25,6 @@ const std::vector<Choice>& channel_choices() {
   return choices;
 }
 
-/// The words over a side: those of the technique that A and B compare, or else the settings.
-PictureTitle title_of(Session& session, Side side) {
-  if (const auto file = side == Side::b ? session.picture_b() : nullptr) {
-    const std::string name = "file " + std::filesystem::path(file->path).filename().string();
-    return {name, name, {}};
-  }
-  const CompareMode compare = session.document().compare;
-  const bool single = compare == CompareMode::only_a || compare == CompareMode::only_b;
-  const Settings* other = single || session.picture_b() ? nullptr : &session.settings(other_side(side));
-  PictureTitle title = picture_title_words(session.settings(side), session.traits(), other);
-  if (const auto shown = session.shown_technique(); other && shown)
-    title.differing = title.brief = technique_words(session.document(), *shown)[index_of(side)];
-  return title;
-}
-
 /// The faces of a title and of the line below a picture.
 struct TitleFaces {
   Face large, low;
@@ -71,6 +56,20 @@ void draw_title(const PictureTitle& title, ImVec2 at, float room, PictureCaption
 }
 
 }  // namespace
+
+PictureTitle shown_title(Session& session, Side side) {
+  if (const auto file = side == Side::b ? session.picture_b() : nullptr) {
+    const std::string name = "file " + std::filesystem::path(file->path).filename().string();
+    return {name, name, {}};
+  }
+  const CompareMode compare = session.document().compare;
+  const bool single = compare == CompareMode::only_a || compare == CompareMode::only_b;
+  const Settings* other = single || session.picture_b() ? nullptr : &session.settings(other_side(side));
+  PictureTitle title = picture_title_words(session.settings(side), session.traits(), other);
+  if (const auto shown = session.shown_technique(); other && shown)
+    title.differing = title.brief = technique_words(session.document(), *shown)[index_of(side)];
+  return title;
+}
 
 PictureMargins picture_margins(float width, PictureCaptions captions) {
   if (captions == PictureCaptions::brief) return {px(19), px(20)};
@@ -114,7 +113,7 @@ void picture_title(Session& session, Side side, const Area& row, PictureCaptions
               space = px(8);
   side_badge(*ImGui::GetWindowDrawList(), {row.min.x, top}, size, side);
 
-  PictureTitle words = title_of(session, side);
+  PictureTitle words = shown_title(session, side);
   if (!instead.empty()) words = {std::string(instead), {}, {}};
   const std::string text = words.text();
   const float text_left = row.min.x + size + space;

@@ -6,6 +6,7 @@
 
 #include "gui/panels/pictures/caption.h"
 #include "gui/panels/pictures/picture_captions.h"
+#include "gui/panels/pictures/picture_text.h"
 #include "gui/panels/pictures/picture_transform.h"
 #include "gui/session/session.h"
 
@@ -28,6 +29,9 @@ void attention_mark(ImDrawList& list, ImVec2 corner, float size);
 
 /// The letter of a side on its colour.
 void side_badge(ImDrawList& list, ImVec2 corner, float size, Side side);
+
+/// The words over a side: those of the technique that A and B compare, or else the settings.
+PictureTitle shown_title(Session& session, Side side);
 
 /// The line above a picture: letter, what it is made with, and which channel is shown. `row` has the height of
 /// picture_margins(). `instead`, where it is not empty, replaces what the picture is made with.

@@ -1,0 +1,3 @@
+#include "fuzz/libfuzzer.h"
+
+PS_FUZZ("bundle")
