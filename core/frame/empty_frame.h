@@ -36,7 +36,7 @@ Frame empty_frame(const View& view, const RenderRequest& request) {
   give_size(frame.samples, Channel::samples);
   give_size(frame.direction, Channel::direction);
   give_size(frame.shadow_map, Channel::shadow_map);
-  for (float& depth : frame.shadow_map.pixels()) depth = -1;  // rays have no maps
+  for (float& depth : frame.shadow_map.pixels()) depth = -1;  // no map here
   give_size(frame.stencil, Channel::stencil);
   give_size(frame.environment, Channel::environment);
   for (Vec3f& colour : frame.environment.pixels()) colour = Vec3f(-1);

@@ -117,7 +117,7 @@ class RayParts {
     if (light) asked_[event(index).parent].push_back(light);
   }
 
-  /// Lights that no shadow ray was sent to: shadows are off.
+  /// Lights that no shadow ray was sent to: shadows are off, or maps give them.
   void add_light(int index, const LightEvent& light) {
     if (light.kind == LightKind::ambient) return;
     for (const LightEvent* asked : asked_[event(index).parent])

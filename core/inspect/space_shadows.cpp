@@ -1,4 +1,4 @@
-// What the rasterizer's shadow methods look like from outside: silhouettes and volumes, and what shadow maps cover.
+// What the shadow methods of triangles look like from outside: silhouettes and volumes, and what shadow maps cover.
 #include <algorithm>
 
 #include "inspect/space_parts.h"
@@ -74,14 +74,14 @@ void add_map(const SpaceInputs& inputs, const Light& light, const std::string& n
 }  // namespace
 
 void add_shadow_methods(const SpaceInputs& inputs, SpaceModel& model) {
-  if (!draws_fragments(inputs.settings.renderer) || !inputs.settings.lighting) return;
+  if (runs_listing(inputs.settings.renderer) || !inputs.settings.lighting) return;
   switch (inputs.settings.shadows) {
   case Shadows::traced:
   case Shadows::none:
     return;
   case Shadows::stencil_depth_fail:
   case Shadows::stencil_depth_pass:
-    add_volumes(inputs, model);
+    if (draws_fragments(inputs.settings.renderer)) add_volumes(inputs, model);
     return;
   case Shadows::map:
     for (std::size_t i = 0; i < inputs.scene.lights->size(); ++i)

@@ -50,6 +50,9 @@ Reason needs_canvas_triangles(const Settings&, const SceneTraits& t) {
 Reason needs_spheres(const Settings& s, const SceneTraits& t) {
   const bool patches = t.patches && s.patches == Patches::projected_error;
   if (!t.spheres && !t.solids && !patches) return "the scene has no curved surfaces";
+  const bool maps = s.shadows == Shadows::map && s.lighting && t.casting_lights;
+  if (sends_rays(s.renderer) && !maps)
+    return IdleReason(IdleReason::Kind::renderer, "rays meet triangles of curved surfaces in shadow maps alone");
   return {};
 }
 
@@ -246,10 +249,9 @@ std::vector<Option> drawing_rows() {
           {.key = "tessellation",
            .label = "Tessellation error",
            .help = {"Maximum distance, in pixels, between a curved surface and its triangles.", "LAB 7; CGFS ch. 10",
-                    "Too small: many triangles. Too large: polygonal outlines."},
+                    "Too small: many triangles. Too large: polygonal outlines. Rays find them in shadow maps alone."},
            .keywords = "subdivision, level of detail, LOD, sphere triangles, silhouette, polygon count",
            .truth = pixel_average("tessellation=0.05"),
-           .acts_for = ActsFor::fragments,
            .inactive = needs_spheres,
            .known_to = {.fast = any_value, .hardware = any_value},
            .shown_by = {.experiments = {{"silhouette-tessellation"}}, .scenes = {{"cgfs/reflections"}}}},

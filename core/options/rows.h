@@ -154,6 +154,13 @@ inline Reason needs_filled_fragments(const Settings& s) {
   return {};
 }
 
+/// Shadows come from shadow rays unless there are none, or maps give them. A reason used by several groups.
+inline Reason needs_traced_shadows(const Settings& s) {
+  const bool mapped = sends_rays(s.renderer) && s.shadows == Shadows::map;
+  if (s.shadows == Shadows::none || mapped) return needs("shadows", Shadows::traced);
+  return {};
+}
+
 /// Gives words to the limits for which the row has none. For the table.
 void say_fast_limits(Option& option);
 

@@ -10,7 +10,7 @@ Reason needs_casting_light(const Settings& s, const SceneTraits& t) {
   return {};
 }
 
-/// The reason of algorithms that need triangles.
+/// The reason of algorithms that need a stencil buffer.
 Reason needs_no_rays(const Settings& s, const SceneTraits&) {
   if (sends_rays(s.renderer))
     return needs("renderer", renderer_for(PictureWay::fragments)).because("rays trace their shadows");
@@ -19,8 +19,7 @@ Reason needs_no_rays(const Settings& s, const SceneTraits&) {
 
 Reason needs_shadow_rays(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_casting_light(s, t)) return reason;
-  if (s.shadows == Shadows::none) return needs("shadows", Shadows::traced, Shadows::map).said("needs shadows");
-  return {};
+  return needs_traced_shadows(s);
 }
 
 Reason needs_lamp(const Settings& s, const SceneTraits& t) {
@@ -41,7 +40,7 @@ bool samples_lamps(const Settings& s, const SceneTraits& t) { return s.shadow_sa
 Reason needs_shadow_map(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_casting_light(s, t)) return reason;
   // A listing that reads the size or the bias of a map always has one.
-  if (draws_fragments(s.renderer) && s.shadows != Shadows::map) return needs("shadows", Shadows::map);
+  if (!runs_listing(s.renderer) && s.shadows != Shadows::map) return needs("shadows", Shadows::map);
   return {};
 }
 
@@ -68,7 +67,7 @@ Reason needs_cut_volumes(const Settings& s, const SceneTraits& t) {
 Reason needs_secondary_rays(const Settings& s, const SceneTraits& t) {
   const bool bounces = t.reflective || t.transparent;
   if (!t.casting_lights && !bounces) return "the scene has no light that casts shadows, and no mirror or glass";
-  const bool shadows = s.lighting && t.casting_lights && s.shadows != Shadows::none;
+  const bool shadows = s.lighting && t.casting_lights && !needs_traced_shadows(s);
   const bool mirrors = bounces && s.reflection_depth > 0;
   if (!shadows && !mirrors)
     return IdleReason({{"shadows", static_cast<double>(Shadows::traced)},
@@ -91,9 +90,13 @@ Reason needs_epsilon(const Settings& s, const SceneTraits& t) {
   return {};
 }
 
+bool looks_up_maps(const Settings& s, const SceneTraits& t) {
+  return s.lighting && t.casting_lights && s.shadows == Shadows::map;
+}
+
 bool maps_or_counts(const Settings& s, const SceneTraits& t) {
+  if (looks_up_maps(s, t)) return true;
   if (!s.lighting || !t.casting_lights) return false;
-  if (s.shadows == Shadows::map) return true;
   const bool stencil = s.shadows == Shadows::stencil_depth_fail || s.shadows == Shadows::stencil_depth_pass;
   return stencil && s.visibility == Visibility::depth_buffer;
 }
@@ -111,6 +114,12 @@ Reason map_lacks(OptionNumber shadows, const Settings& s) {
 
 bool fixed_map_bias(const Settings& s) {
   return s.shadow_slope_bias >= 0 && s.shadow_slope_bias < 0.5 * s.shadow_filter;
+}
+
+/// Rays look up the same maps as fragments.
+SeenScenes scenes_of_maps() {
+  return {{"cgfs/shadows", "shadows=map;shadow-map-size=64", PictureWay::rays},
+          {"cgfs/shadows", "shadows=map;shadow-map-size=64", PictureWay::fragments}};
 }
 
 Option shadow_samples_row() {
@@ -145,12 +154,14 @@ std::vector<Option> shadow_rows() {
           {.key = "shadows",
            .label = "Shadows",
            .help = {"How the renderer finds out whether a light is blocked.", "CGFS ch. 4 and 15; CGPP 15.6.5",
-                    "The ray tracer sends a shadow ray to each light unless this is 'none'. The rasterizer has no "
-                    "rays: with 'traced' it shows no shadows."},
+                    "The ray tracer sends a shadow ray to each light unless this is 'none' or 'map'. The rasterizer "
+                    "has no rays: with 'traced' it shows no shadows."},
            .keywords = "shadow map, shadow volume, stencil shadow, shadow ray, hard shadow",
            .truth = exactly("shadows=traced|stencil-depth-fail"),
            .inactive = needs_casting_light,
-           .known_to = {.fast = {limit(fragment_batches, 120, "SIMD does not support shadow maps or stencil shadows",
+           .known_to = {.fast = {limit(sphere_packets, 61, "packets do not look up shadow maps", looks_up_maps),
+                                 limit(hit_shading, 41, "SIMD shading does not look up shadow maps", looks_up_maps),
+                                 limit(fragment_batches, 120, "SIMD does not support shadow maps or stencil shadows",
                                        maps_or_counts)},
                         .hardware = lacking_if(map_lacks)},
            .shown_by = {.experiments = {{"z-pass-in-volume", is<&Settings::shadows, Shadows::stencil_depth_pass>,
@@ -160,8 +171,8 @@ std::vector<Option> shadow_rows() {
           {{"traced", "traced", "One shadow ray for each light; ray tracer only."},
            {"none", "none", "No light is ever blocked."},
            {"map", "shadow map",
-            "Depth as seen from the light, six maps around a point light: blocky edges, and acne without a bias.",
-            needs_no_rays},
+            "Depth as seen from the light, six maps around a point light. Fragments and rays look up their points in "
+            "them: blocky edges, and acne without a bias."},
            {"stencil-depth-fail", "stencil, depth fail",
             "Counts the shadow volume faces behind the surface: exact edges, right for every camera position.",
             needs_no_rays},
@@ -174,11 +185,10 @@ std::vector<Option> shadow_rows() {
                     "Too small: blocky shadows and more acne. Too large: memory and time; at 4096 x 4096 texels a "
                     "point light takes 400 MB."},
            .keywords = "resolution, blocky, aliasing, jaggies, shadow map",
-           .truth = exactly("shadows=stencil-depth-fail"),
-           .acts_for = ActsFor::fragments,
+           .truth = exactly("shadows=traced|stencil-depth-fail"),
            .inactive = needs_shadow_map,
            .known_to = {.fast = any_value, .hardware = any_value},
-           .shown_by = {.experiments = none, .scenes = {{"cgfs/shadows", "shadows=map;shadow-map-size=64"}}}},
+           .shown_by = {.experiments = none, .scenes = scenes_of_maps()}},
           8, 4096, "texels"),
       real<&Settings::shadow_bias>(
           {.key = "shadow-bias",
@@ -187,13 +197,12 @@ std::vector<Option> shadow_rows() {
                     "CGFS ch. 15; Direct3D 11 15.10",
                     "Too small: shadow acne, stripes on lit surfaces. Too large: detached shadows (peter-panning)."},
            .keywords = "acne, shadow acne, peter-panning, peter panning, depth bias, polygon offset, self-shadowing",
-           .truth = exactly("shadows=stencil-depth-fail"),
-           .acts_for = ActsFor::fragments,
+           .truth = exactly("shadows=traced|stencil-depth-fail"),
            .inactive = needs_shadow_map,
            .known_to = {.fast = any_value, .hardware = any_value},
            .shown_by = {.experiments = {{"shadow-map-acne", fixed_map_bias, "shadow-bias=0;shadow-slope-bias=-1"},
                                         {"peter-panning"}},
-                        .scenes = {{"cgfs/shadows", "shadows=map;shadow-map-size=64"}}}},
+                        .scenes = scenes_of_maps()}},
           0, 10, OptionScale::logarithmic, "world units"),
       real<&Settings::shadow_slope_bias>(
           {.key = "shadow-slope-bias",
@@ -205,12 +214,11 @@ std::vector<Option> shadow_rows() {
                 "A filter of k x k taps needs k / 2 texels if the slope runs along a map axis, as on a floor, else up "
                 "to 0.71 k. -1 computes this, with the rounding of vertices and depths and the tessellation error."},
            .keywords = "acne, shadow acne, peter-panning, slope scale, polygon offset, depth bias",
-           .truth = exactly("shadows=stencil-depth-fail"),
-           .acts_for = ActsFor::fragments,
+           .truth = exactly("shadows=traced|stencil-depth-fail"),
            .inactive = needs_shadow_map,
            .known_to = {.fast = any_value, .hardware = any_value},
            .shown_by = {.experiments = {{"shadow-map-acne"}, {"pcf-one-tap-bias"}, {"peter-panning"}},
-                        .scenes = {{"cgfs/shadows", "shadows=map;shadow-map-size=64"}}}},
+                        .scenes = scenes_of_maps()}},
           -1, 16, OptionScale::linear, "texels"),
       integer<&Settings::shadow_filter>(
           {.key = "shadow-filter",
@@ -218,12 +226,10 @@ std::vector<Option> shadow_rows() {
            .help = {"Percentage-closer filtering: compares k x k texels and averages the results.", "CGFS ch. 15",
                     "Softens the blocky edges, but needs more bias; the cost grows as k^2."},
            .keywords = "PCF, percentage closer filtering, soft edge, blur, penumbra",
-           .truth = pixel_average("shadows=stencil-depth-fail"),
-           .acts_for = ActsFor::fragments,
+           .truth = pixel_average("shadows=traced|stencil-depth-fail"),
            .inactive = needs_shadow_map,
            .known_to = {.fast = any_value, .hardware = defined_as("SHADOW_FILTER")},
-           .shown_by = {.experiments = {{"pcf-one-tap-bias"}},
-                        .scenes = {{"cgfs/shadows", "shadows=map;shadow-map-size=64"}}}},
+           .shown_by = {.experiments = {{"pcf-one-tap-bias"}}, .scenes = scenes_of_maps()}},
           1, 7, "taps"),
       integer<&Settings::stencil_bits>(
           {.key = "stencil-bits",

@@ -12,7 +12,7 @@ Reason needs_octree(const Settings& s, const SceneTraits&) {
 
 Reason needs_any_hit(const Settings& s, const SceneTraits& t) {
   if (!t.casting_lights) return "no light casts shadows";
-  if (s.shadows == Shadows::none) return needs("shadows", Shadows::traced, Shadows::map).said("needs shadows");
+  if (const auto reason = needs_traced_shadows(s)) return reason;
   if (!s.shadow_any_hit) return needs("shadow-any-hit", true).said("needs shadow-any-hit");
   return {};
 }

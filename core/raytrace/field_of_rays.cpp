@@ -3,6 +3,7 @@
 
 #include "raytrace/recorded_rays.h"
 #include "raytrace/renderer.h"
+#include "raytrace/shadow_maps.h"
 #include "record/field_inputs.h"
 #include "record/field_recorder.h"
 
@@ -20,7 +21,8 @@ RecordedSearch search_for(const FieldQuery& query) {
 
 template <class Real>
 void field_in(const FieldInputs& asked, Image<float>& values, Prepared& prepared, Progress& progress) {
-  const TraceInputs<Real> inputs = make_trace_inputs<Real>(asked.scene, asked.view, asked.settings, prepared);
+  TraceInputs<Real> inputs = make_trace_inputs<Real>(asked.scene, asked.view, asked.settings, prepared);
+  add_shadow_maps(inputs, asked.scene, prepared, asked.parallel.priority, progress);
   Image<PixelId> owners(asked.view.width, asked.view.height);
   trace_recorded(asked.scene, inputs, sampling_plan(asked.settings), asked.view, asked.region, search_for(asked.query),
                  prepared, asked.parallel, progress,

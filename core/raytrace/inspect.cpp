@@ -5,6 +5,7 @@
 #include "raytrace/clear/tile_rays.h"
 #include "raytrace/renderer.h"
 #include "raytrace/sampling/compare.h"
+#include "raytrace/shadow_maps.h"
 
 namespace ps {
 namespace {
@@ -105,8 +106,10 @@ class PixelInspection {
 };
 
 template <class Real>
-PixelStory inspect_in(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel, Prepared& prepared) {
-  const TraceInputs<Real> inputs = make_trace_inputs<Real>(scene, view, settings, prepared);
+PixelStory inspect_in(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel, Prepared& prepared,
+                      Progress& progress) {
+  TraceInputs<Real> inputs = make_trace_inputs<Real>(scene, view, settings, prepared);
+  add_shadow_maps(inputs, scene, prepared, WorkerPriority::normal, progress);
   PixelRecorder recorder(pixel);
   PixelStory story;
   story.pixel = pixel;
@@ -127,9 +130,9 @@ PixelStory inspect_traced(const Scene& scene, const View& view, const Settings& 
   progress.check();
   switch (settings.precision) {
   case Precision::float32:
-    return inspect_in<float>(scene, view, settings, pixel, prepared);
+    return inspect_in<float>(scene, view, settings, pixel, prepared, progress);
   case Precision::float64:
-    return inspect_in<double>(scene, view, settings, pixel, prepared);
+    return inspect_in<double>(scene, view, settings, pixel, prepared, progress);
   }
   return {};
 }

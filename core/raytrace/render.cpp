@@ -5,9 +5,11 @@
 #include "frame/empty_frame.h"
 #include "frame/region.h"
 #include "math/has_nan.h"
+#include "raster/shadow/map_picture.h"
 #include "raytrace/clear/clear_tiles.h"
 #include "raytrace/fast/fast_tiles.h"
 #include "raytrace/sampling/subdivide.h"
+#include "raytrace/shadow_maps.h"
 
 namespace ps {
 namespace {
@@ -41,6 +43,14 @@ class PictureTracer {
   }
   PictureTracer(const PictureTracer&) = delete;
   PictureTracer& operator=(const PictureTracer&) = delete;
+
+  /// Draws the shadow maps that the picture asks for, and says whether it asks for any.
+  bool draw_shadow_maps(const Scene& scene, Prepared& prepared) {
+    add_shadow_maps(inputs_, scene, prepared, request_.priority, progress_);
+    if (!inputs_.shadow_maps) return false;
+    if (!frame_.shadow_map.empty()) raster::lay_out_maps(*inputs_.shadow_maps, frame_.shadow_map);
+    return true;
+  }
 
   Frame trace() {
     const bool adaptive = plan_.mode == SamplingMode::adaptive;
@@ -126,9 +136,13 @@ Frame render_in(const Scene& scene, const View& view, const Settings& settings, 
   const Timer preparing;
   PictureTracer<Real> tracer(scene, view, settings, plan, request, prepared, progress);
   const double prepared_ms = preparing.milliseconds();
+  const Timer mapping;
+  const bool has_maps = tracer.draw_shadow_maps(scene, prepared);
+  const double mapped_ms = mapping.milliseconds();
   const Timer tracing;
   Frame frame = tracer.trace();
   frame.times.push_back({"prepare", prepared_ms});
+  if (has_maps) frame.times.push_back({"shadow maps", mapped_ms});
   frame.times.push_back({"trace", tracing.milliseconds()});
   return frame;
 }

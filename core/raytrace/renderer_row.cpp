@@ -5,12 +5,12 @@
 namespace ps {
 namespace {
 
-constexpr CounterSet ray_counts{Counter::eye_rays,        Counter::shadow_rays,       Counter::reflection_rays,
-                                Counter::refraction_rays, Counter::sphere_tests,      Counter::triangle_tests,
-                                Counter::solid_tests,     Counter::node_visits,       Counter::edge_rays,
-                                Counter::shading_calls,   Counter::light_samples,     Counter::texel_reads,
-                                Counter::pixels_written,  Counter::pixels_subdivided, Counter::searches_saved,
-                                Counter::nan_pixels,      Counter::octree_entries,    Counter::triangles_degenerate};
+constexpr CounterSet ray_counts{
+    Counter::eye_rays,        Counter::shadow_rays,    Counter::reflection_rays,     Counter::refraction_rays,
+    Counter::sphere_tests,    Counter::triangle_tests, Counter::solid_tests,         Counter::node_visits,
+    Counter::edge_rays,       Counter::shading_calls,  Counter::light_samples,       Counter::texel_reads,
+    Counter::shadow_map_taps, Counter::pixels_written, Counter::pixels_subdivided,   Counter::searches_saved,
+    Counter::nan_pixels,      Counter::octree_entries, Counter::triangles_degenerate};
 
 bool rays_show_objects(const SceneTraits& traits, const Settings&) {
   return traits.spheres || traits.triangles || traits.solids || traits.csg;
@@ -32,15 +32,21 @@ std::vector<LeftOut> left_out_by_rays(const SceneTraits& traits, const Settings&
                    "scene needs precision = double.",
                    "Detail is rounded away: needs precision = double.",
                    {{"Double", "precision=double"}}});
-  if (settings.lighting && traits.casting_lights && settings.shadows != Shadows::none &&
-      settings.shadows != Shadows::traced)
-    all.push_back(
-        {LeftOutKind::effect,
-         "traces its shadows",
-         "The ray tracer casts a shadow ray to each light, whichever algorithm of triangles shadows names. Set "
-         "renderer = rasterizer to see that algorithm.",
-         "Shadows are traced: only triangles have others.",
-         {{"Rasterizer", "renderer=rasterizer"}, {"Traced", "shadows=traced"}}});
+  const bool casts = settings.lighting && traits.casting_lights;
+  if (casts && (settings.shadows == Shadows::stencil_depth_fail || settings.shadows == Shadows::stencil_depth_pass))
+    all.push_back({LeftOutKind::effect,
+                   "traces its shadows",
+                   "The ray tracer casts a shadow ray to each light: it has no stencil buffer to count shadow volumes "
+                   "in. Set renderer = rasterizer to see them.",
+                   "Shadows are traced: shadow volumes need a stencil buffer.",
+                   {{"Rasterizer", "renderer=rasterizer"}, {"Traced", "shadows=traced"}}});
+  if (casts && settings.shadows == Shadows::map && traits.csg)
+    all.push_back({LeftOutKind::effect,
+                   "leaves out the shadows of CSG",
+                   "The ray tracer leaves out the shadows of CSG objects: shadow maps are drawn with triangles, and "
+                   "these objects have none. Set shadows = traced to see them.",
+                   "No shadows of CSG: shadow maps need triangles.",
+                   {{"Traced", "shadows=traced"}}});
   if (auto dark = missing_light(traits, settings, "The ray tracer")) all.push_back(std::move(*dark));
   return all;
 }

@@ -106,7 +106,7 @@ std::optional<Parting> part_at_blocker(const StoryPair& c, int index_a, int inde
   return says(PartingCause::unexplained, ", unexplained");
 }
 
-/// A rasterizer's shadow covers the point in one picture only, or more of the point.
+/// A shadow map or shadow volume covers the point in one picture only, or more of the point.
 std::optional<Parting> part_at_shadow(const StoryPair& c, int index_a, int index_b) {
   const auto& a = event_as<LightEvent>(c.a.story.events, index_a);
   const auto& b = event_as<LightEvent>(c.b.story.events, index_b);
@@ -126,8 +126,12 @@ std::optional<Parting> part_at_shadow(const StoryPair& c, int index_a, int index
     return says(PartingCause::missing_shadow, because(c, {*key}));
   if (const Option* option = differing_for_shadows(c)) return says(PartingCause::missing_shadow, because(c, option));
   if (c.two_rasterizers()) return says(PartingCause::missing_shadow, ": the two renderers round differently");
-  if (c.two_ways())
-    return says(PartingCause::missing_shadow, ": the renderers compute shadows with different algorithms");
+  if (c.two_ways()) {
+    const bool maps = c.a.settings.shadows == Shadows::map && c.b.settings.shadows == Shadows::map;
+    return says(PartingCause::missing_shadow,
+                maps ? ": ray and fragment look up slightly different points of the shadow map"
+                     : ": the renderers compute shadows with different algorithms");
+  }
   return std::nullopt;
 }
 

@@ -18,7 +18,7 @@ class FragmentShadows {
   /// As illuminate() asks.
   Blocking<Real> operator()(int light, const Vec3<Real>&, Real) {
     const Real visible = share(light);
-    if (!(visible > Real(0.5)) && light < 32) mask_ |= 1u << light;
+    if (is_shadowed(visible) && light < 32) mask_ |= 1u << light;
     return Blocking<Real>::partly(visible);
   }
   /// Bit i set: at most half of light i was seen. Knows the lights that were asked for.
@@ -26,14 +26,8 @@ class FragmentShadows {
 
  private:
   Real share(int light) {
-    const auto index = static_cast<std::size_t>(light);
-    if (inputs_.shadow_maps) {
-      const ShadowMap& map = (*inputs_.shadow_maps)[index];
-      const Settings& s = inputs_.settings;
-      const ShadowComparison<Real> how{static_cast<Real>(s.shadow_bias), static_cast<Real>(s.shadow_slope_bias),
-                                       s.shadow_filter, surface_error_};
-      return look_up_shadow(map, light, position_, normal_, how, recorder_);
-    }
+    if (inputs_.shadow_maps)
+      return share_by_map(*inputs_.shadow_maps, light, position_, normal_, inputs_.settings, surface_error_, recorder_);
     const Stencil& stencil = *inputs_.stencil;
     if constexpr (Recorder::records)
       for (const StencilEvent& event : stencil.events)

@@ -157,4 +157,21 @@ Real look_up_shadow(const ShadowMap& map, int light, const Vec3<Real>& position,
   return visible;
 }
 
+/// The fraction of a light that reaches a point by the light's map, compared as the settings say. Fragments and rays
+/// ask this one function. `surface_error` as in ShadowComparison.
+template <class Real, class Recorder>
+Real share_by_map(const ShadowMaps& maps, int light, const Vec3<Real>& position, const Vec3<Real>& normal,
+                  const Settings& settings, Real surface_error, Recorder& recorder) {
+  const ShadowComparison<Real> how{static_cast<Real>(settings.shadow_bias),
+                                   static_cast<Real>(settings.shadow_slope_bias), settings.shadow_filter,
+                                   surface_error};
+  return look_up_shadow(maps[static_cast<std::size_t>(light)], light, position, normal, how, recorder);
+}
+
+/// Does a point that this fraction of a light reaches count as being in its shadow?
+template <class Real>
+inline bool is_shadowed(Real visible) {
+  return !(visible > Real(0.5));
+}
+
 }  // namespace ps::raster

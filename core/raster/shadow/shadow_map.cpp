@@ -6,6 +6,7 @@
 
 #include "base/available_memory.h"
 #include "math/unit.h"
+#include "options/renderer_kind.h"
 #include "raster/setup/draw_list.h"
 #include "raster/shadow/draw_maps.h"
 
@@ -108,8 +109,8 @@ std::uint64_t shadow_map_bytes(const std::vector<Light>& lights, int size) {
 }
 
 bool uses_shadow_maps(const Settings& settings, const Scene& scene) {
-  return settings.shadows == Shadows::map && settings.lighting && fills(settings.draw) &&
-         scene_traits(scene).casting_lights;
+  const bool fills_surfaces = !draws_fragments(settings.renderer) || fills(settings.draw);
+  return settings.shadows == Shadows::map && settings.lighting && fills_surfaces && scene_traits(scene).casting_lights;
 }
 
 bool throws_shadow(const Scene& scene, const Object& object) {

@@ -12,6 +12,9 @@
 #include "shade/shading_inputs.h"
 
 namespace ps {
+namespace raster {
+struct ShadowMap;  // raster/shadow/shadow_map.h
+}
 
 /// A body in which eye rays may begin (raytrace/base/eye_bodies.h).
 struct EyeBody {
@@ -31,6 +34,8 @@ struct TraceInputs {
   std::vector<Placing<Real>> placings;  ///< of each object, where mapped normals go by the inverse transpose
   bool any_transparent = false;
   std::vector<EyeBody> eye_bodies;
+  /// By light. Set by add_shadow_maps() (raytrace/shadow_maps.h); null where rays find the shadows.
+  std::shared_ptr<const std::vector<raster::ShadowMap>> shadow_maps;
   FastPath path;             ///< what may draw the picture
   bool maps_spheres = true;  ///< whether spheres have texture coordinates: pictures that use none do without
   Vec3<Real> background{0};

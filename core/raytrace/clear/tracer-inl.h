@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "raster/shadow/shadow_lookup.h"
 #include "raytrace/clear/lamp.h"
 #include "raytrace/clear/normal_map.h"
 #include "raytrace/clear/self_hit.h"
@@ -78,6 +79,10 @@ std::optional<PixelId> Tracer<Real, Recorder>::find_blocker(const SurfacePoint<R
 template <class Real, class Recorder>
 Blocking<Real> Tracer<Real, Recorder>::find_blocking(const SurfacePoint<Real>& surface, int light,
                                                      const Vec3<Real>& to_light, Real t_max) const {
+  // The point lies on the curved surface itself, and the triangles of the map lie within it: nothing to allow for.
+  if (inputs_.shadow_maps)
+    return Blocking<Real>::partly(raster::share_by_map(*inputs_.shadow_maps, light, surface.point,
+                                                       surface.shading_normal, inputs_.settings, Real(0), recorder_));
   const Real radius = inputs_.lights[static_cast<std::size_t>(light)].radius;
   const int rays = inputs_.settings.shadow_samples;
   if (rays == 1 || !(radius > 0)) return find_blocker(surface, light, to_light, t_max);
@@ -271,11 +276,13 @@ Vec3<Real> Tracer<Real, Recorder>::local_colour(const Ray<Real>& ray, const Surf
   if (inputs_.settings.lighting) {
     const LitPoint<Real> point{surface.point, surface.shading_normal, -ray.direction};
     const IlluminationOptions options = illumination_options(inputs_.settings);
-    const bool useful_only = inputs_.settings.shadow_rays == ShadowRays::useful;
+    const bool mapped = inputs_.shadow_maps != nullptr;
+    const bool useful_only = !mapped && inputs_.settings.shadow_rays == ShadowRays::useful;
     const auto blocked = [&](int light, const Vec3<Real>& to_light, Real t_max) -> Blocking<Real> {
       if (useful_only && !adds_light(point, material, to_light, options)) return std::optional<PixelId>();
       const Blocking<Real> found = find_blocking(surface, light, to_light, t_max);
-      if (found.visible < 1 && first && light < 32) first->shadow_mask |= 1u << light;
+      const bool shadowed = mapped ? raster::is_shadowed(found.visible) : found.visible < 1;
+      if (shadowed && first && light < 32) first->shadow_mask |= 1u << light;
       return found;
     };
     lighting = illuminate<Real>(point, material, inputs_.lights, options, blocked, recorder_);

@@ -70,7 +70,8 @@ class Tracer {
                                       Real t_max) const;
 
  private:
-  /// The same for a light that may be a lamp: then several shadow rays find the share of it that is seen.
+  /// The same for a light that may be a lamp: then several shadow rays find the share of it that is seen. Where the
+  /// light has a shadow map, the map says it, and no ray is sent.
   Blocking<Real> find_blocking(const SurfacePoint<Real>& surface, int light, const Vec3<Real>& to_light,
                                Real t_max) const;
   /// The colour that comes back along `ray` after `depth` bounces, one at least.

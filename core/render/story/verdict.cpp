@@ -31,6 +31,12 @@ std::size_t count_events(const std::vector<Event>& events) {
   return count;
 }
 
+/// What reaches a point of a light that is blocked, wholly or in part.
+std::string shadow_remark(int light, double visible) {
+  return visible > 0 ? fmt::format("{} % of light {} reaches it", number_text(100 * visible), light)
+                     : fmt::format("it lies in the shadow of light {}", light);
+}
+
 /// The effect of each light at the hit of ray `ray`, where it is worth a word.
 void add_light_remarks(const PixelStory& story, const Scene& scene, int ray, const PixelId& hit,
                        std::vector<std::string>& parts) {
@@ -42,6 +48,8 @@ void add_light_remarks(const PixelStory& story, const Scene& scene, int ray, con
       parts.push_back(fmt::format("light {} is blocked by the surface itself", light.light));
     else if (light.blocker)
       parts.push_back(fmt::format("light {} is blocked by {}", light.light, primitive_name(scene, *light.blocker)));
+    else if (light.visible < 1)
+      parts.push_back(shadow_remark(light.light, light.visible));
   }
 }
 
@@ -164,9 +172,7 @@ void add_shadow_remarks(const PixelStory& story, std::vector<std::string>& parts
     if (!further_pass) seen = current;
     written = write->id;
   }
-  for (const auto& [light, share] : seen)
-    parts.push_back(share > 0 ? fmt::format("{} % of light {} reaches it", number_text(100 * share), light)
-                              : fmt::format("it lies in the shadow of light {}", light));
+  for (const auto& [light, share] : seen) parts.push_back(shadow_remark(light, share));
 }
 
 /// The sentence about the fragment that wrote last.
