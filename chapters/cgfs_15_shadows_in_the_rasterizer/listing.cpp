@@ -28,7 +28,7 @@ struct ShadowMap {
   double left = 0, top = 0;  // of the square around all models
   double side = 1;           // of this square
   int size = 0;              // texels along the side
-  std::vector<double> depth;  // by rows, infinity for nothing
+  std::vector<double> depth;  // by rows, infinity where none is
 
   // Column and row on the map, with their fractions, and the depth.
   // No division by the depth: rays are parallel.
@@ -145,7 +145,7 @@ double bias_at(const ShadowMap& map, const Settings& settings,
   const double slope = std::min(along / towards, 100.0);
   const double rounding = 1e-6;
   double texels = settings.shadow_slope_bias;
-  // What is needed, and the rounding of vertices.
+  // The need, and the rounding of vertices.
   if (texels < 0) texels = std::sqrt(2.0) / 2 + 1 / 256.0;
   const double depth = texels * map.side / map.size * slope;
   return settings.shadow_bias + depth + rounding;

@@ -1,5 +1,5 @@
 // Shadow maps looked up by rays (CGPP 15.6.5): the answers that fragments get at the same points, against closed forms
-// of a shadow's edge, of acne, and of what a mirror shows.
+// of a shadow's edge, of acne, and of a mirror's picture.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -213,7 +213,7 @@ TEST(TracedMaps, WithoutBiasHalfTheFloorShadowsItself) {
   EXPECT_EQ(acne(settings), 0) << "the bias that is computed";
   settings.shadow_slope_bias = 0;
   EXPECT_NEAR(acne(settings), 50, 4);
-  // Of a square whose depth rises along (a, b), the part that lies deeper than its middle by the bias.
+  // The part of a square, whose depth rises along (a, b), that lies deeper than its middle by the bias.
   settings.shadow_bias = 0.71 * texel * slope;
   EXPECT_LT(acne(settings), 0.5) << "the corner of a texel is nowhere deeper";
   settings.shadow_bias = 0.2 * texel * slope;

@@ -80,7 +80,7 @@ Job window_job(const char* scene, Renderer renderer) {
   return job;
 }
 
-/// What the renderer works on: rays of all kinds, or fragments.
+/// The renderer's units of work: rays of all kinds, or fragments.
 std::uint64_t work_of(const Frame& frame, Renderer renderer) {
   const Counters& counters = frame.counters;
   if (renderer == Renderer::rasterizer) return counters[Counter::fragments];

@@ -1,6 +1,8 @@
 // pixelscope-cli listing: a copy that a teacher checks from the command line.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "base/read_file.h"
 #include "support/own_listings.h"
 
@@ -42,6 +44,18 @@ TEST(ListingCli, UnknownNamesAndFilesAreBadInput) {
   EXPECT_EQ(run_cli({"listing", "copy", "nonsense"}).status, 2);
   EXPECT_EQ(run_cli({"listing", "copy", "cgfs_06_lines", "--without", "nonsense"}).status, 2);
   EXPECT_EQ(run_cli({"listing", "run", "/nowhere/x.cpp"}).status, 2);
+}
+
+TEST(ListingCli, InspectPrintsLinesWithValues) {
+  const auto text = run_cli_well({"inspect", "cgfs/spheres", "--pixel", "300,299", "--set", "renderer=textbook"});
+  EXPECT_NE(text.out.find("discriminant = 0"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("[sphere red: 1 of 4]"), std::string::npos) << text.out;
+  const auto json =
+      run_cli_well({"inspect", "cgfs/spheres", "--pixel", "300,299", "--set", "renderer=textbook", "--json"});
+  const auto story = nlohmann::json::parse(json.out);
+  EXPECT_EQ(story.at("renderer"), "textbook");
+  EXPECT_EQ(story.at("listing").at("folder"), "cgfs_02_basic_ray_tracing");
+  EXPECT_GT(story.at("listing").at("values").size(), 10u);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "frame/display_frame.h"
 #include "options/option.h"
@@ -10,7 +9,6 @@
 #include "render/left_out.h"
 #include "scene/load.h"
 #include "support/render_once.h"
-#include "support/run_cli.h"
 #include "support/trials.h"
 #include "textbook/book_math.h"
 #include "textbook/bug_patch.h"
@@ -490,18 +488,6 @@ TEST(Listing, EveryOptionThatItReadsActs) {
               !listing_reads(listings()[i], "octree-leaf"));
   }
   EXPECT_GT(read, 10u);
-}
-
-TEST(Listing, CommandLinePrintsLinesWithValues) {
-  const auto text = test::run_cli_well({"inspect", "cgfs/spheres", "--pixel", "300,299", "--set", "renderer=textbook"});
-  EXPECT_NE(text.out.find("discriminant = 0"), std::string::npos) << text.out;
-  EXPECT_NE(text.out.find("[sphere red: 1 of 4]"), std::string::npos) << text.out;
-  const auto json =
-      test::run_cli_well({"inspect", "cgfs/spheres", "--pixel", "300,299", "--set", "renderer=textbook", "--json"});
-  const auto story = nlohmann::json::parse(json.out);
-  EXPECT_EQ(story.at("renderer"), "textbook");
-  EXPECT_EQ(story.at("listing").at("folder"), "cgfs_02_basic_ray_tracing");
-  EXPECT_GT(story.at("listing").at("values").size(), 10u);
 }
 
 }  // namespace

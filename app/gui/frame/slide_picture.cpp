@@ -8,7 +8,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr int times = 2;              // larger than the picture
+constexpr int times = 2;                    // larger than the picture
 constexpr int slide_margin = 40, gap = 12;  // pixels
 constexpr int least_em = 24, most_em = 48, ems_in_width = 26;
 constexpr int least_width = 420;  // of a column, for the words
@@ -48,7 +48,8 @@ Image<Rgb8> slide_picture(std::span<const SlidePart> parts) {
     below = std::max(below, height_of(captions.back(), regular) + gap);
   }
   const int count = static_cast<int>(parts.size());
-  Image<Rgb8> slide(count * (width + slide_margin) + slide_margin, 2 * slide_margin + above + height + below, Rgb8{255, 255, 255});
+  Image<Rgb8> slide(count * (width + slide_margin) + slide_margin, 2 * slide_margin + above + height + below,
+                    Rgb8{255, 255, 255});
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const int left = slide_margin + static_cast<int>(i) * (width + slide_margin), top = slide_margin + above;
     put_lines(titles[i], bold, {left, top - gap - height_of(titles[i], bold)}, slide);

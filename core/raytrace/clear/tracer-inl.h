@@ -79,7 +79,8 @@ std::optional<PixelId> Tracer<Real, Recorder>::find_blocker(const SurfacePoint<R
 template <class Real, class Recorder>
 Blocking<Real> Tracer<Real, Recorder>::find_blocking(const SurfacePoint<Real>& surface, int light,
                                                      const Vec3<Real>& to_light, Real t_max) const {
-  // The point lies on the curved surface itself, and the triangles of the map lie within it: nothing to allow for.
+  // The point lies on the curved surface itself, and the triangles of the map lie within it: there is no error to allow
+  // for.
   if (inputs_.shadow_maps)
     return Blocking<Real>::partly(raster::share_by_map(*inputs_.shadow_maps, light, surface.point,
                                                        surface.shading_normal, inputs_.settings, Real(0), recorder_));

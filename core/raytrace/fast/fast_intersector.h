@@ -55,7 +55,7 @@ class FastIntersector final : public RaySearch<float> {
   using Query = Intersector<float, CountingRecorder>::Query;
   enum class Find { nearest, any };
 
-  /// The largest coordinate, of what the wide trees hold or of the ray's origin, as WideInputs::seen says.
+  /// The largest coordinate, of the wide trees' contents or of the ray's origin, as WideInputs::seen says.
   float reach_of(const Ray<float>& ray) const {
     return std::max(wide_.seen.reach, largest_component(ray.origin - wide_.seen.centre));
   }

@@ -16,7 +16,7 @@ struct WideGeometry {
 
   std::size_t heap_bytes() const { return owned_bytes(triangles, others); }
 };
-/// The point from which boxes are seen, and the largest coordinate of what they hold as seen from there.
+/// The point from which boxes are seen, and the largest coordinate of their contents as seen from there.
 struct SeenFrom {
   Vec3f centre{0};
   float reach = 0;

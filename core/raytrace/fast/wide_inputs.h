@@ -10,7 +10,7 @@
 
 namespace ps {
 
-/// What the SIMD searches read besides TraceInputs, made once for each picture: one of the three geometries, with
+/// Inputs of the SIMD searches besides TraceInputs, made once for each picture: one of the three geometries, with
 /// the functions for the triangle test on this processor.
 struct WideInputs {
   /// The accelerator's triangles. A search finds the hits of the clear path, but visits nodes of its own.

@@ -37,7 +37,7 @@ struct WideInstances {
   SeenFrom seen;             ///< how `top` is seen
   std::vector<WideModel> models;
   std::vector<WideInstance> instances;
-  Bvh<float> others;  ///< over what is no instance; its order holds numbers of primitives
+  Bvh<float> others;  ///< over all that is not an instance; its order holds numbers of primitives
 
   std::size_t heap_bytes() const { return owned_bytes(top, models, instances, others); }
 };

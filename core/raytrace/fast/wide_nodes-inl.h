@@ -46,7 +46,7 @@ struct BoxRay {
     hn::StoreMaskBits(d, hn::MaskFromVec(direction), bytes);
     set(bytes[0] & 7u, inverse, hn::Mul(hn::Add(origin, grown), inverse), hn::Mul(hn::Sub(origin, grown), inverse));
   }
-  /// Of a ray that is ready for boxes: they are grown as much again, for the rounding of the products here.
+  /// Boxes, for a ray that is ready for them, are grown as much again, for the rounding of the products here.
   HWY_INLINE explicit BoxRay(const SlabRay<float>& ray) {
     const float least = std::min(std::min(std::abs(ray.inverse.x), std::abs(ray.inverse.y)), std::abs(ray.inverse.z));
     Vec3f inverse, near, far;

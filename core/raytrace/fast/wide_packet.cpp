@@ -53,7 +53,7 @@ Vec3f corner(const TriangleBlock<wide_block_width>& block, int corner, std::uint
   return {axes[0][lane], axes[1][lane], axes[2][lane]};
 }
 
-/// Of the rays in `inside`, those for which the triangle counts.
+/// Those of the rays in `inside` for which the triangle counts.
 HWY_NOINLINE M filtered(M inside, const TriangleBlock<wide_block_width>& block, std::uint32_t lane,
                         const WidePacket& packet) {
   const D d;

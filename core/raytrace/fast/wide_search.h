@@ -16,7 +16,7 @@ namespace ps {
 class TriangleFilter {
  public:
   virtual ~TriangleFilter() = default;
-  /// Of a triangle that the ray meets: may it be a hit?
+  /// May a triangle that the ray meets be a hit?
   virtual bool counts(const Vec3f& direction, std::uint32_t primitive, const TracedTriangle<float>& triangle) const = 0;
 };
 

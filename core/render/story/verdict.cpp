@@ -31,7 +31,7 @@ std::size_t count_events(const std::vector<Event>& events) {
   return count;
 }
 
-/// What reaches a point of a light that is blocked, wholly or in part.
+/// The part of a light that reaches a point where it is blocked, wholly or in part.
 std::string shadow_remark(int light, double visible) {
   return visible > 0 ? fmt::format("{} % of light {} reaches it", number_text(100 * visible), light)
                      : fmt::format("it lies in the shadow of light {}", light);
