@@ -54,7 +54,7 @@ bool is_on_the_edge(const ShadowMapEvent& event, double texels, double depth) {
 }
 
 struct Compared {
-  int shared = 0, shadowed = 0, differing = 0, unexplained = 0;
+  int shared = 0, shadowed = 0, differing = 0, unexplained = 0, on_chords = 0;
 };
 
 // On triangles ray and fragment stand at the same point up to rounding, so that only points on the very border between
@@ -73,7 +73,10 @@ Compared compare(const Scene& scene, const Settings& rays) {
       all.shadowed += mask != 0 ? 1 : 0;
       if (mask == drawn.shadow.at(x, y)) continue;
       ++all.differing;
-      if (!exact) continue;
+      if (!exact) {
+        ++all.on_chords;
+        continue;
+      }
       bool edge = false;
       for (const ShadowMapEvent& event :
            lookups_of(inspect(scene, {scene.camera, traced.width(), traced.height()}, rays, {x, y})))
@@ -92,11 +95,13 @@ TEST(TracedMaps, RaysAndFragmentsGetTheSameAnswer) {
       settings.reflection_depth = 0;
       settings.precision = precision;
       const Compared found = compare(scene, settings);
-      std::printf("%-24s %s: %5d points, %5d in shadow, %3d differ\n", name,
-                  precision == Precision::float32 ? "float " : "double", found.shared, found.shadowed, found.differing);
+      std::printf("%-24s %s: %5d points, %5d in shadow, %3d differ, %d of them on balls\n", name,
+                  precision == Precision::float32 ? "float " : "double", found.shared, found.shadowed, found.differing,
+                  found.on_chords);
       EXPECT_GT(found.shared, 500) << name;
       EXPECT_EQ(found.unexplained, 0) << name;
-      EXPECT_LT(found.differing, std::max(3, found.shared / 200)) << name;
+      EXPECT_LT(found.differing - found.on_chords, std::max(3, found.shared / 200)) << name;
+      EXPECT_LT(found.on_chords, found.shared / 50) << name;
       EXPECT_GT(found.shadowed, 10) << name;
     }
 }
@@ -121,7 +126,7 @@ const Vec3d lamp{-1.5, 4, 3}, sun{0.6, 2, -0.5};
 
 /// A ball above a floor, seen from straight above; the picture shows 8 x 8 units of the floor.
 Scene ball_over(const std::string& floor, const std::string& light) {
-  return parse_scene("viewport_size = 8 x 8\nprojection_plane_d = 7\n"
+  return parse_scene("viewport_size = 4 x 4\nprojection_plane_d = 3.5\n"
                      "camera { position = (0, 7, 4)  forward = (0, -1, 0)  up = (0, 0, 1)  right = (1, 0, 0) }\n" +
                          floor + "sphere { center = (0.3, 1.2, 4)  radius = 0.7  color = red }\n" + light,
                      "ball.scene", ".");
@@ -276,7 +281,9 @@ TEST(TracedMaps, StoriesLookUpThePointOfTheirRay) {
       const PixelStory story = inspect(scene, view, settings, {x, y});
       ASSERT_EQ(Vec3f(story.linear), frame.colour.at(x, y));
       EXPECT_EQ(*story.counters.get(Counter::shadow_rays), 0u);
-      EXPECT_EQ(*story.counters.get(Counter::shadow_map_taps), 9 * lookups_of(story).size());
+      std::size_t taps = 0;  // a point beside the map needs none
+      for (const ShadowMapEvent& event : lookups_of(story)) taps += event.outside ? 0 : 9;
+      EXPECT_EQ(*story.counters.get(Counter::shadow_map_taps), taps);
       std::uint32_t mask = 0;
       for (const Event& event : story.events) {
         const auto* look_up = std::get_if<ShadowMapEvent>(&event.data);
@@ -288,7 +295,7 @@ TEST(TracedMaps, StoriesLookUpThePointOfTheirRay) {
         ASSERT_NE(hit, nullptr);
         reflected += ray.kind == RayKind::reflection ? 1 : 0;
         const Light& light = (*scene.lights)[std::size_t(look_up->light)];
-        ASSERT_FALSE(look_up->outside);
+        if (look_up->outside) continue;
         double depth = 0;
         if (look_up->cube) {
           const Vec3d from = glm::abs(hit->point - light.position);

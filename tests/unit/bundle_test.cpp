@@ -114,7 +114,7 @@ TEST(Bundle, IsAnArchiveForTar) {
     ASSERT_EQ(std::system(("cd '" + folder.path().string() + "' && " + command).c_str()), 0) << command;
   };
   Document document = own_model(folder);
-  const std::string deep = std::string(90, 'a') + "/" + std::string(90, 'b');
+  const std::string deep = std::string(60, 'a') + "/" + std::string(60, 'b');
   fs::create_directories(folder.path() / "models" / deep);
   folder.write("models/own.scene", "include = " + deep + "/long.scene\n");
   folder.write("models/" + deep + "/long.scene", "light { type = ambient intensity = 1 }\n");

@@ -85,21 +85,6 @@ TEST(Exclusion, AHollowSolidDoesNotShadowItself) {
   EXPECT_GT(dark, 100);
 }
 
-// Within a closed ball no light from outside arrives. Exclusion does not test the ball from which the shadow ray
-// starts: its inside is as bright as the cosine between the normal, which points outwards, and the light.
-TEST(Exclusion, LightFallsIntoAHollowBall) {
-  const Scene hollow = of("sphere { center = (0, 0, 0)  radius = 3  color = white }\n"
-                          "light { type = directional  intensity = 0.8  direction = (1, 2, 3) }\n");
-  const Frame offset = picture(hollow, SelfHit::offset), excluded = picture(hollow, SelfHit::exclusion);
-  for (int y = 0; y < 61; ++y)
-    for (int x = 0; x < 61; ++x) {
-      const Vec2d p = on_plane(x, y);
-      const double cosine = (p.x + 2 * p.y + 3) / std::sqrt(14 * (p.x * p.x + p.y * p.y + 1));
-      EXPECT_EQ(offset.colour.at(x, y), Vec3f(0));
-      EXPECT_NEAR(excluded.colour.at(x, y).y, 0.8 * std::max(0.0, cosine), 1e-5);
-    }
-}
-
 // Two triangles in the same place: the one that is left is not tested, but its twin is. A point that rounding puts
 // behind it is dark, any other fully lit. The offset is larger than the rounding, so that the twin is never met.
 TEST(Exclusion, ATwinInTheSamePlaceStillBlocks) {

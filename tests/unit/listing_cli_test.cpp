@@ -20,7 +20,7 @@ TEST(ListingCli, CopiesAndChecks) {
   const auto checked = run_cli({"listing", "run", file, "--pixel", "300,299"});
   EXPECT_EQ(checked.status, 0) << checked.out << checked.err;
   EXPECT_NE(checked.out.find("to the bit"), std::string::npos) << checked.out;
-  EXPECT_NE(checked.out.find("draw_line(canvas, line->points[0]"), std::string::npos) << checked.out;
+  EXPECT_NE(checked.out.find("draw_line(canvas, p0, p1, line->colour"), std::string::npos) << checked.out;
 
   const std::string wrong =
       own.folder().write("wrong.cpp", test::with_change(read_whole_file(file), "const double y = entry(ys, x, p0.x);",

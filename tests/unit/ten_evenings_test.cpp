@@ -72,8 +72,7 @@ std::string last_program(const std::string& interpolate) {
   const std::string project = routine_in(text, "project");
   text = test::with_change(text, project,
                            interpolate + vectors + routine_in(copy_of("cgfs_10_scenes"), "model_to_camera") + project);
-  return test::with_change(text, "to_camera = turned * translation_matrix(-scene.camera.position) * model;",
-                           "to_camera = model_to_camera(scene, t);\n    (void)model;");
+  return test::with_change(text, "world_to_camera(scene.camera) * to_world;", "model_to_camera(scene, t);");
 }
 
 TEST(TenEvenings, TheLastTakesThemAll) {
