@@ -264,7 +264,7 @@ Triangles world_triangles(const BookInstance& instance) {
   return all;
 }
 
-// What each directional light sees of all models.
+// The maps of the directional lights, each of all models.
 Maps draw_maps(const BookScene& scene) {
   Triangles all;
   for (const BookInstance& instance : scene.instances)

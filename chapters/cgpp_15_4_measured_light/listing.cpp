@@ -33,7 +33,7 @@ struct Ray {
   double t_min = 0, t_max = infinity;
 };
 
-// What a ray meets first, if anything.
+// The first triangle on a ray, if any.
 struct Hit {
   const Triangle* triangle = nullptr;
   double t = infinity;

@@ -61,7 +61,7 @@ choose bottom listing
 wait idle
 click listing/fill
 wait idle
-click listing/line-41/next
+click listing/line-61/next
 wait idle
 key Esc
 choose bottom microscope

@@ -57,7 +57,7 @@ TEST(BugQuestion, EachBugHasItsOwnLine) {
   Progress progress;
   const LessonQuestion question = question_with("set-both renderer=textbook\nset listing-bug=no-horizon\n");
   const MeasuredAnswer right = measure_answer(question, progress);
-  EXPECT_EQ(right.line.number, 30);
+  EXPECT_EQ(right.line.number, 35);
   EXPECT_EQ(judge(question, {.line = 41}, right).points, 0);
 }
 
@@ -98,9 +98,9 @@ TEST(BugQuestion, HandoutsHoldBackTheLine) {
   Progress progress;
   const Lesson lesson = lesson_with(sides + "pixel 40,118\n", asks);
   const std::string student = handout_html(lesson, HandoutFor::student, progress);
-  EXPECT_NE(student.find("  26  std::array&lt;double, 2&gt; intersect_ray_sphere("), std::string::npos);
+  EXPECT_NE(student.find("  29  Roots intersect_ray_sphere("), std::string::npos);
   EXPECT_NE(student.find("  41    const double t2 = (-b - discriminant) / (2 * a);"), std::string::npos);
-  EXPECT_NE(student.find("  39  }"), std::string::npos);
+  EXPECT_NE(student.find("  44  }"), std::string::npos);
   EXPECT_EQ(student.find("canvas_to_viewport"), std::string::npos);  // another function
   EXPECT_EQ(student.find("trace_ray"), std::string::npos);
   EXPECT_EQ(student.find("std::sqrt(discriminant)) / (2 * a);\n  42"), std::string::npos);

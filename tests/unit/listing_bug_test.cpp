@@ -14,6 +14,7 @@
 #include "support/render_once.h"
 #include "support/run_cli.h"
 #include "support/trials.h"
+#include "textbook/bug_patch.h"
 #include "textbook/listing_source.h"
 #include "textbook/listing_view.h"
 
@@ -24,6 +25,19 @@ using namespace ps;
 
 NamedListing variant_of(const ListingBug& bug) {
   return {std::string(bug.folder), {}, bug.listing, std::string(bug.name)};
+}
+
+/// The room for a listing beside a picture on a small screen: no line of it is broken there.
+TEST(ListingBug, LinesOfListingsHaveAtMost68Columns) {
+  for (const NamedListing& listing : listings()) {
+    int number = 0;
+    for (const std::string& line : listing_lines(listing_source(listing))) {
+      ++number;
+      EXPECT_LE(line.size(), 68u) << listing.folder << ", line " << number << ": " << line;
+    }
+    EXPECT_GT(number, 50) << listing.folder;
+  }
+  for (const ListingBug& bug : listing_bugs()) EXPECT_LE(bug_line(bug).wrong.size(), 68u) << bug.name;
 }
 
 TEST(ListingBug, EachIsOneLineThatIsShown) {
