@@ -19,12 +19,20 @@ std::string within_sentence(std::string_view label) {
 
 }  // namespace
 
+bool is_without(const Option& option, const Settings& settings) {
+  if (option.key == "reflection-depth" || option.kind == OptionKind::boolean) return option.get(settings) == 0;
+  if (option.kind != OptionKind::choice) return false;
+  const std::string_view key = chosen(option, settings).key;
+  return key == "none" || key == "off";
+}
+
 std::string setting_words(const Option& option, const Settings& settings) {
   const std::string label = within_sentence(option.label);
   if (option.key == "listing-bug") return settings.listing_bug == 0 ? "without the bug" : "with the bug";
+  if (is_without(option, settings)) return "without " + (option.key == "reflection-depth" ? "reflections" : label);
   switch (option.kind) {
   case OptionKind::boolean:
-    return fmt::format("{} {}", option.get(settings) != 0 ? "with" : "without", label);
+    return "with " + label;
   case OptionKind::choice:
     if (option.key == "renderer") return std::string(chosen(option, settings).label);
     return fmt::format("{}: {}", label, chosen(option, settings).label);

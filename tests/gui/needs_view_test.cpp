@@ -23,7 +23,7 @@ TEST(NeedsAdvice, SaysWhatWorkIs) {
   EXPECT_NE(words.verdict.find("94 % of the counted work"), std::string::npos) << words.verdict;
   EXPECT_NE(words.verdict.find("allowed: 0.05, hard to see"), std::string::npos) << words.verdict;
   EXPECT_EQ(words.changes, "shadows=none");
-  EXPECT_EQ(words.words, "shadows: none");
+  EXPECT_EQ(words.words, "without shadows");
   EXPECT_NE(words.saving.find("60,000 instead of 1 M rays, tests, fragments and reads of textures and maps"),
             std::string::npos)
       << words.saving;

@@ -59,7 +59,14 @@ TEST_F(Title, ShowsNumbersWithFourDigitsUnlessTheseAreTheSame) {
 TEST_F(Title, NoReflectionsIsADifference) {
   const Settings a, b = with({"reflection-depth=0"});
   EXPECT_EQ(title_text(a, traits, &b), "3 reflections · ray tracer");
-  EXPECT_EQ(title_text(b, traits, &a), "no reflections · ray tracer");
+  EXPECT_EQ(title_text(b, traits, &a), "without reflections · ray tracer");
+}
+
+TEST_F(Title, SpeaksOfWhatAPictureIsWithout) {
+  const Settings a = with({"exposure=2"}), b = with({"shadows=none", "specular=off"});
+  EXPECT_EQ(title_text(b, traits), "ray tracer, 3 reflections, without highlights, without shadows");
+  EXPECT_EQ(title_text(b, traits, &a), "without highlights, without shadows, exposure 1 · ray tracer, 3 reflections");
+  EXPECT_EQ(gui::picture_title_words(b, traits, &a).brief, "without highlights, without shadows, 1");
 }
 
 // The name of a bug would help to find it, and would not fit a small window.

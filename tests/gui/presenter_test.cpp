@@ -42,6 +42,33 @@ TEST(Presenter, HasTheStepsToolBesideThePictures) {
                "cgfs_02_basic_ray_tracing/7");
 }
 
+/// "LEFT,TOP RIGHT,BOTTOM", in window pixels.
+struct Place {
+  double left = 0, top = 0, right = 0, bottom = 0;
+};
+Place place_in(std::istream& lines) {
+  Place place;
+  char comma = 0;
+  lines >> place.left >> comma >> place.top >> place.right >> comma >> place.bottom;
+  return place;
+}
+
+TEST(Presenter, HasAFigureBesideThePictures) {
+  const auto run =
+      ps::test::play("wait idle\nkey F5\nwait idle\nkey PageDown\nwait idle\nkey PageDown\nwait idle\n"
+                     "key PageDown\nwait idle\nprint area/pictures\nprint area/stage\n" +
+                         fits + "expect figure contains \"the eye is beta\"\nquit\n",
+                     ps::fresh_output_folder("gui-presenter-figure"), "1366x768", "--lesson cgfs_03_light/5");
+  ASSERT_EQ(run.status, 0) << run.errors;
+  std::istringstream lines(run.output);
+  const Place pictures = place_in(lines), figure = place_in(lines);
+  ASSERT_TRUE(lines) << run.output;
+  EXPECT_LE(pictures.right, figure.left);
+  EXPECT_GT(pictures.right - pictures.left, 400);
+  EXPECT_GT(figure.right - figure.left, 400);
+  EXPECT_GT(figure.bottom - figure.top, 400);
+}
+
 /// Whether it ends like a sentence, or as what comes before a list or a formula.
 bool ends_as_a_sentence(const std::string& text) {
   constexpr std::string_view signs = ".?!:;\"')";

@@ -16,6 +16,7 @@
 #include "engine/maths_signs.h"
 #include "gui/program.h"
 #include "gui/theme/contrast.h"
+#include "gui/theme/projected_type.h"
 #include "gui/widgets/maths_draw.h"
 #include "options/option.h"
 #include "study/chart_style.h"
@@ -154,6 +155,30 @@ class Glyphs : public testing::Test {
       EXPECT_TRUE(theme().has_glyphs(face, text.c_str())) << where << ": " << text;
   }
 };
+
+/// The presenter's tool: all of it grows as text grows to the size of the caption, and shrinks again after it.
+TEST_F(Glyphs, OfProjectedTypeHaveTheSizeOfTheCaption) {
+  ImGui::GetIO().IniFilename = nullptr;
+  ImGui::GetIO().DisplaySize = {800, 600};
+  want_projected_type(true);
+  EXPECT_TRUE(prepare_themes());
+  EXPECT_FALSE(prepare_themes()) << "they are loaded once";
+  ImGui::NewFrame();
+  const float text = ImGui::GetFontSize(), caption = theme().font(Face::caption)->FontSize, em = px(17),
+              code = theme().font(Face::mono)->FontSize, space = ImGui::GetStyle().ItemSpacing.x;
+  {
+    const ProjectedType type;
+    EXPECT_NEAR(ImGui::GetFontSize(), caption, 1);
+    EXPECT_NEAR(theme().font(Face::mono)->FontSize / code, 24.0 / 17, 0.1);
+    EXPECT_NEAR(px(17), em * 24 / 17, 0.01);
+    EXPECT_GT(ImGui::GetStyle().ItemSpacing.x, space);
+  }
+  EXPECT_EQ(ImGui::GetFontSize(), text);
+  EXPECT_EQ(px(17), em);
+  EXPECT_EQ(ImGui::GetStyle().ItemSpacing.x, space);
+  ImGui::Render();
+  want_projected_type(false);
+}
 
 TEST_F(Glyphs, OfOptionHelp) {
   for (const ps::Option& option : ps::option_table()) {

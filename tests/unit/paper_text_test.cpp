@@ -85,6 +85,10 @@ TEST(DifferenceWords, AnAssignmentHasTheSameWords) {
   EXPECT_EQ(setting_words("shading=flat"), "shading: flat");
   EXPECT_EQ(setting_words("specular=off"), "without highlights");
   EXPECT_EQ(setting_words("reflection-depth=2"), "reflection depth 2");
+  EXPECT_EQ(setting_words("shadows=none"), "without shadows");
+  EXPECT_EQ(setting_words("shadows=map"), "shadows: shadow map");
+  EXPECT_EQ(setting_words("reflection-depth=0"), "without reflections");
+  EXPECT_EQ(setting_words("parallax-mapping=off"), "without parallax mapping");
   EXPECT_EQ(setting_words("reflection-depth=many"), "reflection-depth=many") << "no such value";
   EXPECT_EQ(settings_in_words("double, shading=flat, specular=on"), "double, shading: flat, with highlights");
 }

@@ -32,6 +32,7 @@
 #include "gui/platform/state_file.h"
 #include "gui/session/session_values.h"
 #include "gui/shell/shell.h"
+#include "gui/theme/projected_type.h"
 #include "gui/widgets/flash.h"
 #include "gui/widgets/key_focus.h"
 #include "gui/widgets/redraw.h"
@@ -268,6 +269,8 @@ void App::Parts::close_on_escape() {
 /// The presenter has the whole screen, unless a size was asked for; what leaves it leaves that.
 void App::Parts::follow_presenter() {
   const bool presents = session.document().mode == ScreenMode::presenter;
+  if (presents != presented) redraw_after(0);  // with the faces that are loaded before the next frame
+  want_projected_type(presents);
   if (std::exchange(presented, presents) == presents || shell.has_asked_size()) return;
   if (presents) filled_screen = !shell.fullscreen();
   if (filled_screen) shell.set_fullscreen(presents);

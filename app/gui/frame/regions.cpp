@@ -17,8 +17,8 @@
 #include "gui/panels/pictures/picture_frame.h"
 #include "gui/panels/pictures/slow_strip.h"
 #include "gui/panels/techniques/technique_bar.h"
+#include "gui/theme/projected_type.h"
 #include "gui/widgets/draw.h"
-#include "gui/widgets/redraw.h"
 #include "gui/widgets/shorten.h"
 #include "gui/widgets/tab_row.h"
 #include "gui/widgets/widgets.h"
@@ -45,12 +45,6 @@ constexpr float most_of_caption = 0.6f, presented_tool = 0.46f;
 float reading_width() {
   constexpr std::string_view measure = "The light of a point is the sum of all that reaches it, and on";  // 62
   return text_width(measure) + px(text_margin + 2 * region_padding);
-}
-
-/// Above and below a picture that is not narrow.
-float captions_height(PictureCaptions captions) {
-  const PictureMargins margins = picture_margins(px(600), captions);
-  return margins.title + margins.footer;
 }
 
 bool divider(const char* name, SplitterAxis axis, ImVec2 at, float length, float& position, float low, float high) {
@@ -99,7 +93,8 @@ PlanInput Regions::plan_input(const Area& area, PictureCaptions captions) const 
   if (view.width > 0 && view.height > 0) input.picture = {view.width, view.height};
   input.one_picture = session_.document().compare != CompareMode::side_by_side;
   input.scale = px(1);
-  input.captions = captions_height(captions) + slow_strip_height(session_);
+  const PictureMargins lines = picture_margins(px(600), captions);  // of a picture that is not narrow
+  input.captions = lines.title + lines.footer + slow_strip_height(session_);
   input.text_width = reading_width();
   input.headline = folded_height();
   return input;
@@ -377,17 +372,23 @@ void Regions::presenter(const Area& area) {
   CaptionStrip strip(session_, lessons_, area.width() - 2 * px(region_padding));
   const float caption = area.max.y - std::min(strip.height(), area.height() * most_of_caption);
   Area shown{area.min, {area.max.x, caption}};
-  // The step's tool has the place of the second picture.
+  // A figure of the text, or else the step's tool, has the place of the second picture.
+  const Figure* figure = strip.figure();
   const StagePlace place = lessons_.shelf.open() ? stage_place() : StagePlace::none;
-  const bool has_tool = place == StagePlace::below || place == StagePlace::beside;
-  if (has_tool) {
-    const float tool_begin = std::round(area.max.x - area.width() * presented_tool);
-    begin_region(session_, "stage", {{tool_begin, area.min.y}, shown.max});
-    tool(staged(), {});
+  const bool beside = figure || place == StagePlace::below || place == StagePlace::beside;
+  if (beside) {
+    const float begin = std::round(area.max.x - area.width() * presented_tool);
+    begin_region(session_, "stage", {{begin, area.min.y}, shown.max});
+    if (figure) {
+      draw_projected_figure(*figure);
+    } else {
+      const ProjectedType type;
+      tool(staged(), {});
+    }
     ImGui::EndChild();
-    shown.max.x = tool_begin;
+    shown.max.x = begin;
   }
-  pictures(shown, has_tool ? beside_share : lesson_share, PictureCaptions::projected);
+  pictures(shown, beside ? beside_share : lesson_share, PictureCaptions::projected);
   if (strip.height() <= 0) return;
   begin_region(session_, "caption", {{area.min.x, caption}, area.max});
   strip.draw(session_);

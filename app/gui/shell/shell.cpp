@@ -26,7 +26,7 @@
 #include "gui/script/player.h"
 #include "gui/shell/help_sheet.h"
 #include "gui/shell/palette.h"
-#include "gui/theme/theme.h"
+#include "gui/theme/projected_type.h"
 #include "gui/widgets/key_focus.h"
 #include "gui/widgets/redraw.h"
 #include "gui/widgets/widgets.h"
@@ -280,7 +280,7 @@ void Shell::Impl::dispatch_keys() {
 
 void Shell::Impl::draw_frame() {
   const Timer timer;
-  if (theme().prepare()) window.fonts_changed();
+  if (prepare_themes()) window.fonts_changed();
   window.begin_frame();
   input.apply(ImGui::GetIO());
   ImGui::NewFrame();

@@ -119,7 +119,8 @@ double type_size(Face face) {
 
 void Theme::load_fonts() {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-  atlas.Clear();
+  const bool first = this == &theme();  // the projected theme's faces come to those of the window
+  if (first) atlas.Clear();
   atlas.FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
   atlas.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
   atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
@@ -136,7 +137,7 @@ void Theme::load_fonts() {
     if (face.fallback) load(font_file(face.fallback).string(), em, face.ranges, true);
   }
   atlas.Build();
-  ImGui::GetIO().FontDefault = fonts_[0];
+  if (first) ImGui::GetIO().FontDefault = fonts_[0];
 }
 
 bool Theme::has_glyphs(Face face, const char* utf8) const {

@@ -84,11 +84,6 @@ void apply_sizes(double scale) {
 
 }  // namespace
 
-Theme& theme() {
-  static Theme the_theme;
-  return the_theme;
-}
-
 void Theme::set_brightness(Brightness brightness) {
   colours_stale_ = colours_stale_ || brightness != brightness_;
   brightness_ = brightness;

@@ -47,23 +47,18 @@ std::string words_of_line(const TextLine& line) {
   return words;
 }
 
-/// A figure, large and on a plate of its own above the strip, whose upper edge is at `low`.
-void draw_projected_figure(const Figure& figure, float low) {
-  constexpr float share_of_width = 0.55f, share_of_room = 0.92f;
-  const ImVec2 window = ImGui::GetMainViewport()->Size;
-  ImDrawList& list = *ImGui::GetForegroundDrawList();
-  ScreenPainter painter(list, {}, PaintedType::projected);
-  const float edge = px(16);
-  float width = share_of_width * window.x;
-  const auto height_at = [&] { return static_cast<float>(figure_height(painter, figure, width)); };
-  while (width > px(200) && height_at() + 2 * edge > share_of_room * low) width *= 0.95f;
-  const float height = height_at(), x = (window.x - width) / 2, y = low - height - 2 * edge;
-  list.AddRectFilled({x - edge, y - edge}, {x + width + edge, y + height + edge}, colour_u32(palette().panel), px(6));
-  list.AddRect({x - edge, y - edge}, {x + width + edge, y + height + edge}, colour_u32(palette().line_strong), px(6));
-  draw_figure(painter, figure, {x, y}, width);
-}
-
 }  // namespace
+
+void draw_projected_figure(const Figure& figure) {
+  ScreenPainter painter(*ImGui::GetWindowDrawList(), {}, PaintedType::projected);
+  const ImVec2 from = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+  float width = room.x;
+  const auto height_at = [&] { return static_cast<float>(figure_height(painter, figure, width)); };
+  while (width > px(200) && height_at() > room.y) width *= 0.95f;
+  const ImVec2 at{from.x + (room.x - width) / 2, from.y + std::max(0.f, (room.y - height_at()) / 2)};
+  draw_figure(painter, figure, paint_place(at), width);
+  controls().record("figure", at, {at.x + width, at.y + height_at()}, figure.description);
+}
 
 CaptionStrip::CaptionStrip(const Session& session, LessonReading& state, float width)
     : state_(state), lesson_(state.shelf.open()), width_(width) {
@@ -139,6 +134,13 @@ float CaptionStrip::height() const {
   return std::max(text, lines_of_page * text_line_height(Face::caption)) + text_line_height(Face::caption) + px(24);
 }
 
+const Figure* CaptionStrip::figure() const {
+  if (!lesson_) return nullptr;
+  for (const Part& part : pages_[static_cast<std::size_t>(state_.caption.page)].parts)
+    if (part.block.figure) return part.block.figure.get();
+  return nullptr;
+}
+
 void CaptionStrip::draw(Session& session) {
   if (!lesson_) return;
   const NameScope scope("caption");
@@ -153,15 +155,12 @@ void CaptionStrip::draw(Session& session) {
   ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 from = at;
   std::string shown;
-  const Figure* figure = nullptr;
   for (const TextLine& line : lines_of(pages_[static_cast<std::size_t>(caption.page)])) {
     ImGui::SetCursorScreenPos(at);
     draw_line(session, line);
-    if (line.figure) figure = line.figure;
     at.y += line.height;
     shown += (shown.empty() ? "" : "\n") + words_of_line(line);
   }
-  if (figure) draw_projected_figure(*figure, ImGui::GetWindowPos().y);
   controls().record("text", from, {from.x + width_, at.y}, shown);
 }
 

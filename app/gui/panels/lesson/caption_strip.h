@@ -17,6 +17,8 @@ class CaptionStrip {
   float height() const;
   /// In the room that there is.
   void draw(Session& session);
+  /// The figure of the page that is shown, or nullptr.
+  const Figure* figure() const;
 
  private:
   struct Part {
@@ -39,5 +41,8 @@ class CaptionStrip {
   float width_;
   std::vector<Page> pages_;
 };
+
+/// A figure for the last row, as large as the room of the present region lets it be.
+void draw_projected_figure(const Figure& figure);
 
 }  // namespace ps::gui

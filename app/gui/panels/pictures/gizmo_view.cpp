@@ -23,6 +23,10 @@ constexpr int ring_steps = 48;
 
 constexpr std::array object_axes{"x", "y", "z"}, camera_axes{"right", "up", "forward"};
 
+/// Red, green and blue, as in other programs; light enough for a dark rim.
+constexpr std::array axis_colours{IM_COL32(255, 110, 110, 255), IM_COL32(120, 235, 120, 255),
+                                  IM_COL32(140, 180, 255, 255)};
+
 const char* axis_name(const Gizmo& gizmo, std::size_t axis) {
   return gizmo.object ? object_axes.at(axis) : camera_axes.at(axis);
 }
@@ -40,6 +44,7 @@ float distance_to_line(ImVec2 point, ImVec2 from, ImVec2 to) {
 void draw_grip(ImDrawList& list, const GizmoMark& mark, const Gizmo& gizmo, bool held) {
   const float size = px(held ? 7 : 5);
   const ImVec2 at = mark.grip;
+  const ImU32 light = axis_colours.at(mark.part.axis);
   switch (mark.part.deed) {
   case GizmoDeed::move: {
     const ImVec2 from = mark.line.front();
@@ -52,23 +57,23 @@ void draw_grip(ImDrawList& list, const GizmoMark& mark, const Gizmo& gizmo, bool
                              colour);
     };
     head(px(2), IM_COL32(0, 0, 0, 190));
-    head(0, IM_COL32(255, 255, 255, 255));
+    head(0, light);
     ImFont* font = theme().font(Face::small);
     const char* name = axis_name(gizmo, mark.part.axis);
     const ImVec2 text{at.x + way.x * px(9) + px(4), at.y + way.y * px(9) - font->FontSize / 2};
     for (const ImVec2 by : {ImVec2{-1, 0}, ImVec2{1, 0}, ImVec2{0, -1}, ImVec2{0, 1}})
       list.AddText(font, font->FontSize, {text.x + by.x, text.y + by.y}, IM_COL32(0, 0, 0, 220), name);
-    list.AddText(font, font->FontSize, text, IM_COL32(255, 255, 255, 255), name);
+    list.AddText(font, font->FontSize, text, light, name);
     break;
   }
   case GizmoDeed::turn:
     list.AddCircleFilled(at, size, IM_COL32(0, 0, 0, 190));
-    list.AddCircleFilled(at, size - px(2), IM_COL32(255, 255, 255, 255));
+    list.AddCircleFilled(at, size - px(2), light);
     break;
   case GizmoDeed::scale:
     list.AddRectFilled({at.x - size, at.y - size}, {at.x + size, at.y + size}, IM_COL32(0, 0, 0, 190));
     list.AddRectFilled({at.x - size + px(1.5), at.y - size + px(1.5)}, {at.x + size - px(1.5), at.y + size - px(1.5)},
-                       IM_COL32(255, 255, 255, 255));
+                       light);
     break;
   }
 }
@@ -142,9 +147,12 @@ void draw_gizmo(ImDrawList& list, const ShownGizmo& shown, const std::optional<G
     const bool is_held = held == mark.part;
     if (is_held) named = &mark;
     if (!mark.line.empty())
-      light_on_dark(is_held, [&](ImU32 colour, float thickness) {
-        list.AddPolyline(mark.line.data(), static_cast<int>(mark.line.size()), colour, ImDrawFlags_None, thickness);
-      });
+      light_on_dark(
+          is_held,
+          [&](ImU32 colour, float thickness) {
+            list.AddPolyline(mark.line.data(), static_cast<int>(mark.line.size()), colour, ImDrawFlags_None, thickness);
+          },
+          axis_colours.at(mark.part.axis));
   }
   for (const GizmoMark& mark : shown.marks) draw_grip(list, mark, shown.gizmo, held == mark.part);
   if (named) name_plate(list, words_of(shown.gizmo, named->part), named->grip, 22, clip);

@@ -8,6 +8,7 @@
 #include "gui/panels/pictures/picture_frame.h"
 #include "gui/theme/theme.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/shorten.h"
 #include "gui/widgets/widgets.h"
 #include "options/option.h"
 #include "render/left_out.h"
@@ -91,7 +92,7 @@ Area left_out_line(Session& session, Side side, const Area& row) {
     ++shown;
   }
   if (shown < all.size()) {
-    const std::string more = shown == 0 ? "left out" : fmt::format("+{}", all.size() - shown);
+    const std::string more = shown == 0 ? whole_words(texts.names, right - x) : fmt::format("+{}", all.size() - shown);
     draw_text({x, row.min.y}, {x + text_width(more), row.max.y}, more, palette().text, 0);
     x += text_width(more) + px(item_gap);
   }

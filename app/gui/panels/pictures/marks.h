@@ -11,9 +11,9 @@ namespace ps::gui {
 
 /// Draws light on dark: calls `stroke(colour, thickness)` for both.
 template <class Stroke>
-void light_on_dark(bool held, Stroke&& stroke) {
+void light_on_dark(bool held, Stroke&& stroke, ImU32 light = IM_COL32(255, 255, 255, 255)) {
   stroke(IM_COL32(0, 0, 0, 190), px(held ? 6 : 3.5));
-  stroke(IM_COL32(255, 255, 255, 255), px(held ? 3.5 : 1.5));
+  stroke(light, px(held ? 3.5 : 1.5));
 }
 
 /// A name beside a mark, `away` window pixels at scale 1 from its centre, on the side that has room in `clip`.

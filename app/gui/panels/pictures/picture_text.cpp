@@ -20,8 +20,10 @@ std::string label_of(std::string_view key, const Settings& settings) {
   return std::string(chosen(*option, settings).label);
 }
 
-/// The value of an option in a word; numbers with four digits, unless `other` then looks the same but is not.
+/// The value of an option in a word, or what a picture is without; numbers with four digits, unless `other` then looks
+/// the same but is not.
 std::string value_word(const Option& option, const Settings& settings, const Settings* other) {
+  if (option.kind == OptionKind::boolean || is_without(option, settings)) return setting_words(option, settings);
   if (option.kind == OptionKind::choice) return std::string(chosen(option, settings).label);
   if (option.kind != OptionKind::real) return option_text(option, settings);
   const auto four_digits = [&](const Settings& of) { return fmt::format("{:.4g}", option.get(of)); };
@@ -58,8 +60,9 @@ std::vector<TitlePart> title_parts(const Settings& settings, const SceneTraits& 
     const bool other_depth = key_differs("reflection-depth");
     const int depth = settings.reflection_depth;
     if (traits.reflective && (depth > 0 || (other_depth && !other_renderer)))
-      parts.push_back({depth == 0 ? "no reflections" : fmt::format("{} reflection{}", depth, depth == 1 ? "" : "s"),
-                       other_renderer || other_depth});
+      parts.push_back(
+          {depth == 0 ? "without reflections" : fmt::format("{} reflection{}", depth, depth == 1 ? "" : "s"),
+           other_renderer || other_depth});
     break;
   }
   case PictureWay::fragments:

@@ -126,7 +126,7 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
   const auto style_of = [&](Side which) {
     PictureStyle style;
     style.grid = state.grid;
-    style.marked = session.pixel();
+    if (!gizmo_in_picture(session, state, which, area)) style.marked = session.pixel();
     style.region = session.region();
     const ShownChannel channel = session.shown(which);
     const auto result = session.renderer(which).result();

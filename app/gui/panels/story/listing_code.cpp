@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "gui/base/values.h"
 #include "gui/panels/story/code_lines.h"
 #include "gui/panels/story/shown_field.h"
+#include "gui/theme/projected_type.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/redraw.h"
 #include "gui/widgets/shorten.h"
@@ -156,13 +158,13 @@ std::optional<ListingStep> draw_row(const ListingRow& row, std::size_t index, co
   return by != 0 ? ListingStep{index, by} : clicked;
 }
 
-/// Small print where a line would be cut otherwise.
+/// Small print where a line would be broken otherwise, but not for the last row behind a projector.
 Face code_face(const std::vector<ListingRow>& rows, float room) {
   const FontScope font(Face::mono);
   std::size_t longest = 0;
   for (const ListingRow& row : rows) longest = std::max(longest, row.text.size());
   const float wanted = px(number_room) + text_width("0") * static_cast<float>(longest);
-  return wanted <= room ? Face::mono : Face::mono_small;
+  return wanted <= room || ProjectedType::in_use() ? Face::mono : Face::mono_small;
 }
 
 /// Where the routine begins that has this line, with the remarks above it: what is not indented, and ends nothing.
@@ -209,8 +211,10 @@ void scroll_to(const LookedFor& places) {
 }
 
 /// Whether to scroll to the line that is looked for: in two frames from when that was asked for, as lines may break
-/// elsewhere once the bar to scroll with is there.
+/// elsewhere once the bar to scroll with is there; and where the type has another size than before.
 bool keeps_revealing(bool asked) {
+  const int type = static_cast<int>(ImGui::GetFontSize());
+  asked |= std::exchange(*ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("type"), type), type) != type;
   int& frames = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("reveal"));
   if (asked) frames = 2;
   if (frames == 0) return false;

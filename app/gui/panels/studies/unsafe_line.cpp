@@ -64,7 +64,9 @@ std::string short_text(const UnsafeSetting& unsafe, float room) {
       fmt::format("{} wrong: {}", two_digits_percent(unsafe.bad_percent), option ? option->label : unsafe.option);
   std::string longer = fmt::format("{} = {}", text, unsafe.value);
   if (text_width(longer) <= room) return longer;
-  return text_width(text, Face::small) <= room ? text : two_digits_percent(unsafe.bad_percent) + " wrong";
+  if (text_width(text, Face::small) <= room) return text;
+  const std::string share = two_digits_percent(unsafe.bad_percent), of_pixels = share + " of pixels wrong";
+  return text_width(of_pixels, Face::small) <= room ? of_pixels : share + " wrong";
 }
 
 void make_safe(Session& session, Side side, const UnsafeSetting& unsafe) {
