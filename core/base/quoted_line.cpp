@@ -13,9 +13,9 @@
 namespace ps {
 namespace {
 
-constexpr std::size_t most_quoted = 72;  // bytes; also a narrow window shows them
-constexpr std::size_t kept_before = 36;  // of them before the column
-constexpr std::size_t longest = 100000;  // of a line that is looked at
+constexpr std::size_t most_quoted = 72;       // bytes; also a narrow window shows them
+constexpr std::size_t kept_before = 36;       // of them before the column
+constexpr std::size_t longest_line = 100000;  // of a line that is looked at
 constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 28;
 
 bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }
@@ -47,7 +47,7 @@ std::string quoted_line(const SourcePlace& place) {
   std::string line;
   for (int number = 0; number < place.line; ++number)
     if (!std::getline(file, line)) return {};
-  if (line.size() > longest) return {};
+  if (line.size() > longest_line) return {};
   if (line.ends_with('\r')) line.pop_back();
   std::replace(line.begin(), line.end(), '\t', ' ');
   const std::size_t column = byte_of(line, place.column - 1);

@@ -1,6 +1,8 @@
 // The space view as a file shows what the window shows.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "gui/program.h"
 #include "support/golden.h"
 
@@ -17,7 +19,8 @@ std::size_t lines_of(const std::string& svg) {
 TEST(SpaceDrawing, HoldsWhatHasHappenedSoFar) {
   const auto folder = ps::fresh_output_folder("gui-space-drawing");
   const auto save = [&](const std::string& name) {
-    return "click space/svg\nwait frames 3\ntype " + (folder / name).string() + "\nkey Enter\nwait idle\n";
+    return "click space/svg\nwait frames 3\ntype " + std::filesystem::absolute(folder / name).string() +
+           "\nkey Enter\nwait idle\n";
   };
   const auto run = ps::test::play("wait idle\nclick bottom/space\nwait idle\n" + save("whole.svg") +
                                       "key .\nwait idle\n" + save("first.svg") + "quit\n",

@@ -63,7 +63,7 @@ TEST(LessonText, HasLinesOfReadableLength) {
 }
 
 /// intersect_ray_sphere of the lesson's listing.cpp, the first routine with values at the step's pixel.
-constexpr int routine_begins = 23;
+constexpr int routine_begins = 26;
 
 class TallTool : public testing::TestWithParam<Screen> {};
 

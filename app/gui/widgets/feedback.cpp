@@ -182,7 +182,7 @@ bool message_bar(std::string_view name, MessageKind kind, std::string_view text)
   const bool dismissed = button("dismiss", "Dismiss", Emphasis::plain, {.width = button_width});
   ImGui::SetCursorScreenPos(start);
   ImGui::Dummy({room, height});
-  controls().record("text", std::string(text));
+  controls().record("text", start, {end.x - button_width - inset, end.y}, std::string(text));
   return dismissed;
 }
 
