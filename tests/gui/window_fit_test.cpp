@@ -262,7 +262,7 @@ TEST_P(LessonPictures, HaveTheirShareAndNothingIsCut) {
     // A square picture alone is as high as there is room, which leaves more beside it on a wide screen.
     const bool tool = !step.state.stage.empty() && step.state.stage != ps::pictures_stage;
     const bool alone = compare && compare->starts_with("only");
-    const double least = tool ? (small ? 11.5 : 13.5) : alone ? (small ? 19 : 25) : (small ? 29 : 30);
+    const double least = tool ? (small ? 11.5 : 13.5) : alone ? (small ? 16 : 25) : (small ? 29 : 30);
     // The answer to a question and an experiment take seconds to measure, and minutes under a sanitizer.
     const bool measures = ps::test::trial_divisor > 1 && (step.question || ps::part_of(step.state, "experiment"));
     commands += measures ? settled + "wait until a/state done\nwait until b/state done\n" + settled : "wait idle\n";
