@@ -39,7 +39,8 @@ struct ShadowMap {
   }
   // Rows are counted from the top left.
   std::size_t texel(int column, int row) const {
-    return static_cast<std::size_t>(row * size + column);
+    const int place = row * size + column;
+    return static_cast<std::size_t>(place);
   }
 };
 

@@ -52,7 +52,8 @@ void compute_polygon_rows(const Pixels& vertices, Pixels& left,
     top = std::min(top, vertex.y);
     bottom = std::max(bottom, vertex.y);
   }
-  const auto rows = static_cast<std::size_t>(bottom - top + 1);
+  const int height = bottom - top + 1;
+  const auto rows = static_cast<std::size_t>(height);
   PS_WATCH("rows", rows);
   left.assign(rows, {nowhere});
   right.assign(rows, {-nowhere});

@@ -60,7 +60,7 @@ std::string line_text(const UnsafeSetting& unsafe) {
 /// The same where there is little room.
 std::string short_text(const UnsafeSetting& unsafe, float room) {
   const Option* option = find_option(unsafe.option);
-  const std::string text =
+  std::string text =
       fmt::format("{} wrong: {}", two_digits_percent(unsafe.bad_percent), option ? option->label : unsafe.option);
   std::string longer = fmt::format("{} = {}", text, unsafe.value);
   if (text_width(longer) <= room) return longer;
