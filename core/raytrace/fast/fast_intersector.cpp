@@ -38,10 +38,12 @@ Hit<float> FastIntersector::find(const Ray<float>& ray, float reach) const {
   else
     best = find_other(ray, what);
   if (what == Find::any && best.found()) return best;
-  if (wide_.list)
+  if (wide_.wide)
+    search_tree(ray, reach, what, best);
+  else if (wide_.list)
     search_list(ray, what, best);
   else
-    search_tree(ray, reach, what, best);
+    search_instances(ray, reach, what, best);
   return best;
 }
 
@@ -60,6 +62,15 @@ Hit<float> FastIntersector::find_other(const Ray<float>& ray, Find find) const {
   const Bvh<float>& others = wide_.wide ? wide_.wide->others : wide_.instances->others;
   if (!others.nodes.empty()) for_each_candidate(others, clear_.candidate(ray), best.t, visit, recorder_);
   return best;
+}
+
+void FastIntersector::search_instances(const Ray<float>& ray, float reach, Find find, Hit<float>& best) const {
+  const InstanceSearches& searches = wide_.instance_searches;
+  const InstanceSearch search = find == Find::any ? searches.any : searches.nearest;
+  WideCount work;
+  search(*wide_.instances, {ray, inputs_.box_padding * reach, inputs_.triangle_epsilon, filter_}, clear_tests_, best,
+         work);
+  count(work);
 }
 
 void FastIntersector::search_list(const Ray<float>& ray, Find find, Hit<float>& best) const {

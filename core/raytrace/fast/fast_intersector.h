@@ -67,18 +67,12 @@ class FastIntersector final : public RaySearch<float> {
   Hit<float> find_other(const Ray<float>& ray, Find find) const;
   /// Improves `best` by triangles. In the class, as suits_tree() is: shadow rays need both one at a time.
   void search_tree(const Ray<float>& ray, float reach, Find find, Hit<float>& best) const {
-    const WideQuery query{ray, inputs_.box_padding * reach, inputs_.triangle_epsilon, filter_};
+    const WideSearch search = find == Find::any ? wide_.searches.any : wide_.searches.nearest;
     WideCount work;
-    if (wide_.wide) {
-      const WideSearch search = find == Find::any ? wide_.searches.any : wide_.searches.nearest;
-      search(wide_.wide->triangles, query, best, work);
-    } else {
-      const InstanceSearches& searches = wide_.instance_searches;
-      const InstanceSearch search = find == Find::any ? searches.any : searches.nearest;
-      search(*wide_.instances, query, clear_tests_, best, work);
-    }
+    search(wide_.wide->triangles, {ray, inputs_.box_padding * reach, inputs_.triangle_epsilon, filter_}, best, work);
     count(work);
   }
+  void search_instances(const Ray<float>& ray, float reach, Find find, Hit<float>& best) const;
   void search_list(const Ray<float>& ray, Find find, Hit<float>& best) const;
 
   // Up to packet_width rays at once.

@@ -30,18 +30,16 @@ struct BoxRay {
   /// x, y and z side by side, and a lane that means nothing.
   using Axes = hn::Vec<hn::Full128<float>>;
 
-  HWY_INLINE BoxRay(const WideQuery& query, const Vec3f& centre)
-      : BoxRay(query.ray.origin - centre, query.ray.direction, Vec3f(1.25f * query.pad)) {}
-  /// `pads`: by how much boxes are grown on each axis.
-  HWY_INLINE BoxRay(const Vec3f& from, const Vec3f& along, const Vec3f& pads) {
+  HWY_INLINE BoxRay(const WideQuery& query, const Vec3f& centre) {
     const hn::Full128<float> d;
-    const Axes direction = axes(along), origin = axes(from);
+    const Vec3f& along = query.ray.direction;
+    const Axes direction = axes(along), origin = hn::Sub(axes(query.ray.origin), axes(centre));
     const Axes sign = hn::And(direction, hn::SignBit(d));
     // A component of (about) zero would make 0 * infinity. This little moves no point of the ray by more than `pad`.
     const float least = 1e-20f * std::max(std::max(std::abs(along.x), std::abs(along.y)), std::abs(along.z));
     const Axes size = hn::Max(hn::Abs(direction), hn::Set(d, least));
     const Axes inverse = hn::Or(hn::Div(hn::Set(d, 1.0f), size), sign);
-    const Axes grown = hn::Or(axes(pads), sign);
+    const Axes grown = hn::Or(hn::Set(d, 1.25f * query.pad), sign);
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(d, hn::MaskFromVec(direction), bytes);
     set(bytes[0] & 7u, inverse, hn::Mul(hn::Add(origin, grown), inverse), hn::Mul(hn::Sub(origin, grown), inverse));

@@ -22,19 +22,26 @@ namespace {
 
 enum class Find { nearest, any };
 
-template <SimdTriangleTest test, Find find>
-void search(const WideBvh& bvh, const WideQuery& query, Hit<float>& best, WideCount& count) {
+template <SimdTriangleTest test, Find find, Filtered filtered>
+HWY_NOINLINE void search_tree(const WideBvh& bvh, const WideQuery& query, Hit<float>& best, WideCount& count) {
   const BlockRay<test, wide_block_width> triangles(query);
   const TriangleBlock<wide_block_width>* const blocks = bvh.blocks.data();
   std::uint64_t block_tests = 0;
   const auto test_blocks = [&](std::uint32_t first, std::uint32_t number) HWY_ATTR {
     block_tests += number;
     bool found = false;
-    for (std::uint32_t i = 0; i < number; ++i) found |= triangles.test(blocks[first + i], 0, query, best);
+    for (std::uint32_t i = 0; i < number; ++i)
+      found |= triangles.template test<filtered>(blocks[first + i], 0, query, best);
     return found;
   };
   walk_nodes<find == Find::any>(bvh.nodes.data(), BoxRay(query, bvh.centre), best, count.nodes, test_blocks);
   count.triangles += wide_block_width * block_tests;
+}
+
+template <SimdTriangleTest test, Find find>
+void search(const WideBvh& bvh, const WideQuery& query, Hit<float>& best, WideCount& count) {
+  const auto chosen = query.filter ? search_tree<test, find, Filtered::yes> : search_tree<test, find, Filtered::no>;
+  chosen(bvh, query, best, count);
 }
 
 template <SimdTriangleTest test, Find find>

@@ -53,9 +53,16 @@ HWY_INLINE TracedTriangle<float> triangle_in(const TriangleBlock<width>& block, 
   }
   return triangle;
 }
+/// Whether a test asks WideQuery::filter. Code in which it never does keeps more numbers in registers.
+enum class Filtered { no, yes };
 template <int width>
-HWY_NOINLINE bool passes_filter(const TriangleBlock<width>& block, const WideQuery& query, int lane) {
+HWY_NOINLINE bool asks_filter(const TriangleBlock<width>& block, const WideQuery& query, int lane) {
   return query.filter->counts(query.ray.direction, block.primitive[lane], triangle_in(block, lane));
+}
+
+template <Filtered filtered, int width>
+HWY_INLINE bool passes_filter(const TriangleBlock<width>& block, const WideQuery& query, int lane) {
+  return filtered == Filtered::no || query.filter == nullptr || asks_filter(block, query, lane);
 }
 
 /// Of the lanes in `bits`, takes those that win: nearer, or as near with a lower index. `primitives` and `t` begin at
@@ -90,6 +97,7 @@ struct BlockRay<SimdTriangleTest::moeller_trumbore, width> {
       : origin{My::all(query.ray.origin.x), My::all(query.ray.origin.y), My::all(query.ray.origin.z)},
         direction{My::all(query.ray.direction.x), My::all(query.ray.direction.y), My::all(query.ray.direction.z)} {}
 
+  template <Filtered filtered = Filtered::yes>
   HWY_INLINE bool test(const TriangleBlock<width>& block, int from, const WideQuery& query, Hit<float>& best) const {
     const D d;
     const V zero = hn::Zero(d);
@@ -124,7 +132,7 @@ struct BlockRay<SimdTriangleTest::moeller_trumbore, width> {
     hn::Store(u, d, us);
     hn::Store(v, d, vs);
     const auto weights = [&](int i) { return std::array<float, 3>{1.0f - us[i] - vs[i], us[i], vs[i]}; };
-    const auto confirmed = [&](int i) { return query.filter == nullptr || passes_filter(block, query, from + i); };
+    const auto confirmed = [&](int i) { return passes_filter<filtered>(block, query, from + i); };
     return take_best(block.primitive + from, bits, ts, query, best, weights, confirmed);
   }
 
@@ -195,6 +203,7 @@ struct BlockRay<SimdTriangleTest::watertight, width> {
     return hn::AllTrue(d, hn::Or(right, left));
   }
 
+  template <Filtered filtered = Filtered::yes>
   HWY_INLINE bool test(const TriangleBlock<width>& block, int from, const WideQuery& query, Hit<float>& best) const {
     const D d;
     const V zero = hn::Zero(d);
@@ -224,7 +233,7 @@ struct BlockRay<SimdTriangleTest::watertight, width> {
     const auto weights = [&](int i) { return std::array<float, 3>{us[i] / sums[i], vs[i] / sums[i], ws[i] / sums[i]}; };
     const auto confirmed = [&](int i) {
       return (query.ray.start == no_primitive || unguarded(block, query, from + i)) &&
-             (query.filter == nullptr || passes_filter(block, query, from + i));
+             passes_filter<filtered>(block, query, from + i);
     };
     return take_best(block.primitive + from, bits, ts, query, best, weights, confirmed);
   }
