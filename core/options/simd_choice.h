@@ -21,6 +21,16 @@ inline bool may_use(Simd setting, Simd target, std::int64_t supported, std::int6
 /// The target that runs with this setting on this processor; none with `off` and on processors without SSE4.
 std::optional<Simd> widest_simd(Simd setting);
 
+/// The version of a kernel for that target, of those that were compiled; Kernel{} where none runs.
+template <class Kernel>
+Kernel chosen_kernel(Simd setting, const Kernel& avx512, const Kernel& avx2, const Kernel& sse4 = {}) {
+  const std::optional<Simd> target = widest_simd(setting);
+  if (target == Simd::avx512) return avx512;
+  if (target == Simd::avx2) return avx2;
+  if (target == Simd::sse4) return sse4;
+  return {};
+}
+
 /// simd_name() of the target that kernels choose under this setting.
 std::string_view chosen_simd(Simd setting);
 

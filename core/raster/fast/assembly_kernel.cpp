@@ -281,14 +281,11 @@ namespace ps::raster {
 
 AssembleBlock assemble_kernel(Simd simd) {
 #if HWY_ARCH_X86
-  const std::int64_t have = processor_targets();
-  if (may_use(simd, Simd::avx512, have, HWY_AVX3)) return N_AVX3::assemble_block;
-  if (may_use(simd, Simd::avx2, have, HWY_AVX2)) return N_AVX2::assemble_block;
-  if (may_use(simd, Simd::sse4, have, HWY_SSE4)) return N_SSE4::assemble_block;
+  return chosen_kernel<AssembleBlock>(simd, N_AVX3::assemble_block, N_AVX2::assemble_block, N_SSE4::assemble_block);
 #else
   static_cast<void>(simd);
-#endif
   return nullptr;
+#endif
 }
 
 }  // namespace ps::raster

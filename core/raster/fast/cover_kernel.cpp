@@ -166,14 +166,11 @@ void TileFragments::start(std::size_t entries, std::size_t surfaces) {
 
 CoverTile cover_kernel(Simd simd) {
 #if HWY_ARCH_X86
-  const std::int64_t have = processor_targets();
-  if (may_use(simd, Simd::avx512, have, HWY_AVX3)) return N_AVX3::cover;
-  if (may_use(simd, Simd::avx2, have, HWY_AVX2)) return N_AVX2::cover;
-  if (may_use(simd, Simd::sse4, have, HWY_SSE4)) return N_SSE4::cover;
+  return chosen_kernel<CoverTile>(simd, N_AVX3::cover, N_AVX2::cover, N_SSE4::cover);
 #else
   static_cast<void>(simd);
-#endif
   return nullptr;
+#endif
 }
 
 }  // namespace ps::raster

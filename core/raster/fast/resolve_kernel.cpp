@@ -271,14 +271,13 @@ namespace ps::raster {
 
 ResolveKernels resolve_kernels(Simd simd) {
 #if HWY_ARCH_X86
-  const std::int64_t have = processor_targets();
-  if (may_use(simd, Simd::avx512, have, HWY_AVX3)) return {N_AVX3::resolve, N_AVX3::fill, N_AVX3::count_texels};
-  if (may_use(simd, Simd::avx2, have, HWY_AVX2)) return {N_AVX2::resolve, N_AVX2::fill, N_AVX2::count_texels};
-  if (may_use(simd, Simd::sse4, have, HWY_SSE4)) return {N_SSE4::resolve, N_SSE4::fill, N_SSE4::count_texels};
+  return chosen_kernel<ResolveKernels>(simd, {N_AVX3::resolve, N_AVX3::fill, N_AVX3::count_texels},
+                                       {N_AVX2::resolve, N_AVX2::fill, N_AVX2::count_texels},
+                                       {N_SSE4::resolve, N_SSE4::fill, N_SSE4::count_texels});
 #else
   static_cast<void>(simd);
-#endif
   return {};
+#endif
 }
 
 }  // namespace ps::raster

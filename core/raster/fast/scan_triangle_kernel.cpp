@@ -169,14 +169,11 @@ bool can_scan(const TriangleScan& scan) {
 
 ScanTriangle scan_function(Simd simd) {
 #if HWY_ARCH_X86
-  const std::int64_t have = processor_targets();
-  if (may_use(simd, Simd::avx512, have, HWY_AVX3)) return N_AVX3::scan_triangle;
-  if (may_use(simd, Simd::avx2, have, HWY_AVX2)) return N_AVX2::scan_triangle;
-  if (may_use(simd, Simd::sse4, have, HWY_SSE4)) return N_SSE4::scan_triangle;
+  return chosen_kernel<ScanTriangle>(simd, N_AVX3::scan_triangle, N_AVX2::scan_triangle, N_SSE4::scan_triangle);
 #else
   static_cast<void>(simd);
-#endif
   return nullptr;
+#endif
 }
 
 }  // namespace ps::raster

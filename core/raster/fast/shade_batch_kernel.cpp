@@ -88,14 +88,11 @@ namespace ps::raster {
 
 ShadeFragments shade_function(Simd simd) {
 #if HWY_ARCH_X86
-  const std::int64_t have = processor_targets();
-  if (may_use(simd, Simd::avx512, have, HWY_AVX3)) return N_AVX3::shade_fragments;
-  if (may_use(simd, Simd::avx2, have, HWY_AVX2)) return N_AVX2::shade_fragments;
-  if (may_use(simd, Simd::sse4, have, HWY_SSE4)) return N_SSE4::shade_fragments;
+  return chosen_kernel<ShadeFragments>(simd, N_AVX3::shade_fragments, N_AVX2::shade_fragments, N_SSE4::shade_fragments);
 #else
   static_cast<void>(simd);
-#endif
   return nullptr;
+#endif
 }
 
 }  // namespace ps::raster

@@ -174,14 +174,13 @@ namespace ps::raster {
 
 VertexKernels vertex_kernels(Simd simd) {
 #if HWY_ARCH_X86
-  const std::int64_t have = processor_targets();
-  if (may_use(simd, Simd::avx512, have, HWY_AVX3)) return {N_AVX3::transform_positions, N_AVX3::transform_normals};
-  if (may_use(simd, Simd::avx2, have, HWY_AVX2)) return {N_AVX2::transform_positions, N_AVX2::transform_normals};
-  if (may_use(simd, Simd::sse4, have, HWY_SSE4)) return {N_SSE4::transform_positions, N_SSE4::transform_normals};
+  return chosen_kernel<VertexKernels>(simd, {N_AVX3::transform_positions, N_AVX3::transform_normals},
+                                      {N_AVX2::transform_positions, N_AVX2::transform_normals},
+                                      {N_SSE4::transform_positions, N_SSE4::transform_normals});
 #else
   static_cast<void>(simd);
-#endif
   return {};
+#endif
 }
 
 }  // namespace ps::raster

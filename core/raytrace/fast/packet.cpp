@@ -409,14 +409,13 @@ namespace ps {
 
 PacketFunctions packet_functions(Simd simd) {
 #if HWY_ARCH_X86
-  const std::int64_t have = processor_targets();
-  if (may_use(simd, Simd::avx512, have, HWY_AVX3)) return {N_AVX3::trace_packets, N_AVX3::trace_samples};
-  if (may_use(simd, Simd::avx2, have, HWY_AVX2)) return {N_AVX2::trace_packets, N_AVX2::trace_samples};
-  if (may_use(simd, Simd::sse4, have, HWY_SSE4)) return {N_SSE4::trace_packets, N_SSE4::trace_samples};
+  return chosen_kernel<PacketFunctions>(simd, {N_AVX3::trace_packets, N_AVX3::trace_samples},
+                                        {N_AVX2::trace_packets, N_AVX2::trace_samples},
+                                        {N_SSE4::trace_packets, N_SSE4::trace_samples});
 #else
   static_cast<void>(simd);
-#endif
   return {};
+#endif
 }
 
 }  // namespace ps

@@ -142,13 +142,11 @@ namespace ps {
 
 HitFunctions hit_functions(Simd simd) {
 #if HWY_ARCH_X86
-  const std::int64_t have = processor_targets();
-  if (may_use(simd, Simd::avx512, have, HWY_AVX3)) return N_AVX3::hit_functions();
-  if (may_use(simd, Simd::avx2, have, HWY_AVX2)) return N_AVX2::hit_functions();
+  return chosen_kernel<HitFunctions>(simd, N_AVX3::hit_functions(), N_AVX2::hit_functions());
 #else
   static_cast<void>(simd);
-#endif
   return {};
+#endif
 }
 
 }  // namespace ps

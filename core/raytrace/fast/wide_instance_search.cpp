@@ -151,15 +151,13 @@ namespace ps {
 
 InstanceSearches instance_searches(Simd simd, SimdTriangleTest test) {
 #if HWY_ARCH_X86
-  const std::int64_t have = processor_targets();
-  if (may_use(simd, Simd::avx512, have, HWY_AVX3)) return N_AVX3::instance_searches(test);
-  if (may_use(simd, Simd::avx2, have, HWY_AVX2)) return N_AVX2::instance_searches(test);
-  if (may_use(simd, Simd::sse4, have, HWY_SSE4)) return N_SSE4::instance_searches(test);
+  return chosen_kernel<InstanceSearches>(simd, N_AVX3::instance_searches(test), N_AVX2::instance_searches(test),
+                                         N_SSE4::instance_searches(test));
 #else
   static_cast<void>(simd);
   static_cast<void>(test);
-#endif
   return {};
+#endif
 }
 
 }  // namespace ps

@@ -387,14 +387,12 @@ bool suits_packet(const Ray<float>* rays, std::size_t count) {
 
 PacketSearches packet_searches(Simd simd, SimdTriangleTest test) {
 #if HWY_ARCH_X86
-  const std::int64_t have = processor_targets();
-  if (may_use(simd, Simd::avx512, have, HWY_AVX3)) return N_AVX3::packet_searches(test);
-  if (may_use(simd, Simd::avx2, have, HWY_AVX2)) return N_AVX2::packet_searches(test);
+  return chosen_kernel<PacketSearches>(simd, N_AVX3::packet_searches(test), N_AVX2::packet_searches(test));
 #else
   static_cast<void>(simd);
   static_cast<void>(test);
-#endif
   return {};
+#endif
 }
 
 }  // namespace ps

@@ -99,15 +99,13 @@ namespace ps {
 
 WideSearches wide_searches(Simd simd, SimdTriangleTest test) {
 #if HWY_ARCH_X86
-  const std::int64_t have = processor_targets();
-  if (may_use(simd, Simd::avx512, have, HWY_AVX3)) return N_AVX3::wide_searches(test);
-  if (may_use(simd, Simd::avx2, have, HWY_AVX2)) return N_AVX2::wide_searches(test);
-  if (may_use(simd, Simd::sse4, have, HWY_SSE4)) return N_SSE4::wide_searches(test);
+  return chosen_kernel<WideSearches>(simd, N_AVX3::wide_searches(test), N_AVX2::wide_searches(test),
+                                     N_SSE4::wide_searches(test));
 #else
   static_cast<void>(simd);
   static_cast<void>(test);
-#endif
   return {};
+#endif
 }
 
 }  // namespace ps
