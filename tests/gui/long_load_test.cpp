@@ -79,13 +79,13 @@ TEST(LongLoad, CanBeCancelledWhileALineIsAskedFor) {
                                          "screenshot " +
                                          (folder / "loading.png").string() +
                                          "\n"
-                                         "click listing/line-166/pick\n"
-                                         "expect question/answer \"Answer: line 166\"\n"
+                                         "click listing/line-167/pick\n"
+                                         "expect question/answer \"Answer: line 167\"\n"
                                          "expect window/cut \"\"\n"
                                          "click status/progress/cancel\n"
                                          "wait idle\n"
                                          "expect loading none\n"
-                                         "expect question/answer \"Answer: line 166\"\n"
+                                         "expect question/answer \"Answer: line 167\"\n"
                                          "quit\n",
                                      folder, "1024x768", "--scale 1.5 --lesson cgfs_15_shadows_in_the_rasterizer/8");
   EXPECT_EQ(result.status, 0) << result.errors;
