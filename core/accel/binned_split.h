@@ -1,9 +1,10 @@
 #pragma once
 #include <array>
+#include <bit>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <span>
+#include <type_traits>
 
 #include "accel/box.h"
 
@@ -26,14 +27,12 @@ struct FourLanes<double> {
 template <class Real>
 using Lanes4 = typename FourLanes<Real>::Type;
 
-/// A box in four lanes; the last lane is not used. Empty at first.
+/// A box in four lanes; the last lane is not used. Without a value at first.
 template <class Real>
-struct Extent {
-  static constexpr Real infinity = std::numeric_limits<Real>::infinity();
-  Lanes4<Real> low{infinity, infinity, infinity, infinity};
-  Lanes4<Real> high{-infinity, -infinity, -infinity, -infinity};
+struct Bounds {
+  Lanes4<Real> low, high;
 
-  void include(const Extent& other) {
+  void include(const Bounds& other) {
     low = other.low < low ? other.low : low;
     high = other.high > high ? other.high : high;
   }
@@ -48,22 +47,30 @@ struct Extent {
   }
 };
 
-/// A primitive while the tree is built: its box, with its number in the lane that is free.
+/// Empty at first.
 template <class Real>
-struct PrimitiveReference : Extent<Real> {
+struct Extent : Bounds<Real> {
+  static constexpr Real infinity = std::numeric_limits<Real>::infinity();
+  Extent() : Bounds<Real>{{infinity, infinity, infinity, infinity}, {-infinity, -infinity, -infinity, -infinity}} {}
+};
+
+/// A primitive while the tree is built: its box, with its number in the lane that is free. Without a value at first.
+template <class Real>
+struct PrimitiveReference : Bounds<Real> {
   PrimitiveReference() = default;
-  PrimitiveReference(const Box<Real>& box, std::uint32_t primitive) {
-    this->low = Lanes4<Real>{box.low.x, box.low.y, box.low.z, 0};
-    this->high = Lanes4<Real>{box.high.x, box.high.y, box.high.z, 0};
-    std::memcpy(reinterpret_cast<char*>(&this->high) + 3 * sizeof(Real), &primitive, sizeof primitive);
-  }
+  PrimitiveReference(const Box<Real>& box, std::uint32_t primitive)
+      : Bounds<Real>{{box.low.x, box.low.y, box.low.z, 0},
+                     {box.high.x, box.high.y, box.high.z, std::bit_cast<Real>(normal ^ primitive)}} {}
   std::uint32_t primitive() const {
-    std::uint32_t result = 0;
-    std::memcpy(&result, reinterpret_cast<const char*>(&this->high) + 3 * sizeof(Real), sizeof result);
-    return result;
+    return static_cast<std::uint32_t>(std::bit_cast<Bits>(Real{this->high[3]}) ^ normal);
   }
   /// Twice the centroid. Not returned by value: the calling convention of wide vectors varies.
   void centroid(Lanes4<Real>& result) const { result = this->low + this->high; }
+
+ private:
+  using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+  /// The bits of 2: a small whole number's own bits are a denormal, with which many processors take ten times as long.
+  static constexpr Bits normal = Bits{1} << (8 * sizeof(Real) - 2);
 };
 
 inline constexpr int most_bins = 16;
@@ -98,11 +105,11 @@ struct BvhSplit {
   std::uint32_t left_count = 0;
   Extent<Real> left, right;
   Binning<Real> binning;
-  /// `centroid` is that of a reference.
-  bool is_left(const Lanes4<Real>& centroid) const {
-    typename FourLanes<Real>::Index index;
-    binning.find(centroid, index);
-    return index[axis] < bin;
+  /// As binning.find() says, of the one axis.
+  bool is_left(const PrimitiveReference<Real>& reference) const {
+    const Real share = (reference.low[axis] + reference.high[axis] - binning.low[axis]) * binning.scale[axis];
+    const Real last = binning.last[axis];
+    return static_cast<int>(share < last ? share : last) < bin;
   }
 };
 
@@ -113,24 +120,32 @@ inline constexpr double bvh_traversal_cost = 0.5;  ///< of a node, in tests of u
 template <class Real>
 class BinSet {
  public:
-  void add(std::span<const PrimitiveReference<Real>> references, const Extent<Real>& centroids, int bins) {
-    bins_ = bins;
-    binning_ = Binning<Real>(centroids, bins);
-    for (const PrimitiveReference<Real>& reference : references) {
-      Lanes4<Real> centroid;
-      typename FourLanes<Real>::Index index;
-      reference.centroid(centroid);
-      binning_.find(centroid, index);
-      for (int axis = 0; axis < 3; ++axis) {
-        const auto bin = static_cast<std::size_t>(index[axis]);
-        boxes_[static_cast<std::size_t>(axis)][bin].include(reference);
-        ++counts_[static_cast<std::size_t>(axis)][bin];
+  explicit BinSet(int bins = most_bins) : bins_(bins) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (std::size_t bin = 0; bin < count_of_bins(); ++bin) {
+        boxes_[axis][bin] = Extent<Real>();
+        counts_[axis][bin] = 0;
       }
+  }
+
+  void add(std::span<const PrimitiveReference<Real>> references, const Extent<Real>& centroids) {
+    binning_ = Binning<Real>(centroids, bins_);
+    constexpr std::size_t many = 64;
+    if (references.size() < many) return put_each(references);
+    // Neighbours often fall into the same bin, and would wait for each other there.
+    BinSet other(bins_);
+    other.binning_ = binning_;
+    const std::size_t half = references.size() / 2;
+    for (std::size_t i = 0; i < half; ++i) {
+      put(references[i]);
+      other.put(references[half + i]);
     }
+    put_each(references.subspan(2 * half));
+    add(other);
   }
   void add(const BinSet& other) {
     for (std::size_t axis = 0; axis < 3; ++axis)
-      for (std::size_t bin = 0; bin < most_bins; ++bin) {
+      for (std::size_t bin = 0; bin < count_of_bins(); ++bin) {
         boxes_[axis][bin].include(other.boxes_[axis][bin]);
         counts_[axis][bin] += other.counts_[axis][bin];
       }
@@ -151,17 +166,20 @@ class BinSet {
       std::uint32_t sum = 0;
       for (int i = bins_ - 1; i > 0; --i) {
         const auto k = static_cast<std::size_t>(i);
+        right_cost[k] = i + 1 < bins_ ? right_cost[k + 1] : 0;
+        if (counts[k] == 0) continue;
         side.include(boxes[k]);
         sum += counts[k];
-        right_cost[k] = sum == 0 ? 0 : side.half_area() * groups(sum);
+        right_cost[k] = side.half_area() * groups(sum);
       }
       side = {};
       sum = 0;
       for (int i = 1; i < bins_; ++i) {
         const auto k = static_cast<std::size_t>(i);
+        if (counts[k - 1] == 0) continue;  // the same cut as the one before
         side.include(boxes[k - 1]);
         sum += counts[k - 1];
-        if (sum == 0 || sum == count) continue;
+        if (sum == count) break;
         const double total = bvh_traversal_cost * area + side.half_area() * groups(sum) + right_cost[k];
         if (total < best_cost) {
           best_cost = total;
@@ -182,6 +200,22 @@ class BinSet {
   }
 
  private:
+  std::size_t count_of_bins() const { return static_cast<std::size_t>(bins_); }
+  void put_each(std::span<const PrimitiveReference<Real>> references) {
+    for (const PrimitiveReference<Real>& reference : references) put(reference);
+  }
+  void put(const PrimitiveReference<Real>& reference) {
+    Lanes4<Real> centroid;
+    typename FourLanes<Real>::Index index;
+    reference.centroid(centroid);
+    binning_.find(centroid, index);
+#pragma GCC unroll 3
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto bin = static_cast<std::size_t>(index[axis]);
+      boxes_[static_cast<std::size_t>(axis)][bin].include(reference);
+      ++counts_[static_cast<std::size_t>(axis)][bin];
+    }
+  }
   static double groups(std::uint32_t count) {
     const std::uint32_t whole = (count + 3) / 4;
     return whole;
@@ -198,9 +232,9 @@ class BinSet {
     return split;
   }
 
-  std::array<std::array<Extent<Real>, most_bins>, 3> boxes_;
-  std::array<std::array<std::uint32_t, most_bins>, 3> counts_{};
-  int bins_ = most_bins;
+  int bins_;
+  std::array<std::array<Bounds<Real>, most_bins>, 3> boxes_;  ///< of the bins in use, as counts_
+  std::array<std::array<std::uint32_t, most_bins>, 3> counts_;
   Binning<Real> binning_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "accel/binned_split.h"
 #include "base/stop.h"
@@ -9,9 +10,11 @@
 namespace ps {
 namespace {
 
-constexpr std::uint32_t chunk_size = 1u << 15;    // primitives that one step of a parallel pass takes
-constexpr std::uint32_t subtree_size = 1u << 15;  // up to this many are one worker's job
-constexpr int most_shared_levels = 32;            // deeper ranges are one worker's job, too: it keeps to the depth
+constexpr int most_shared_levels = 32;  // deeper ranges are one worker's job, too: it keeps to the depth
+
+/// Of `count` primitives, as many as one step of a parallel pass takes, and the most that are one worker's job. By the
+/// count alone: the tree must not depend on the number of threads.
+std::uint32_t job_size(std::uint32_t count) { return std::clamp(count / 8, 1u << 10, 1u << 15); }
 
 /// A range of references that will become a node.
 template <class Real>
@@ -37,16 +40,16 @@ template <class Real>
 class BvhBuilder {
  public:
   BvhBuilder(std::span<const Box<Real>> boxes, int threads)
-      : boxes_(boxes), options_{threads, WorkerPriority::normal} {}
+      : boxes_(boxes), options_{threads, WorkerPriority::normal},
+        job_size_(job_size(static_cast<std::uint32_t>(boxes.size()))) {}
 
   Bvh<Real> build() {
     if (boxes_.empty()) return {};
     const auto count = static_cast<std::uint32_t>(boxes_.size());
     bvh_.order.resize(count);
     bvh_.nodes.emplace_back();
-    references_[0].resize(count);
+    for (auto& references : references_) references.reset(new PrimitiveReference<Real>[count]);
     Range<Real> root = reference_all();
-    if (count > subtree_size) references_[1].resize(count);
     std::vector<Range<Real>> large{root};
     for (int side = 0; !large.empty(); side = 1 - side) large = split_large(large, side);
     build_subtrees();
@@ -70,10 +73,10 @@ class BvhBuilder {
 
   Range<Real> reference_all() {
     const auto count = static_cast<std::uint32_t>(boxes_.size());
-    std::vector<std::array<Extent<Real>, 2>> parts((count + chunk_size - 1) / chunk_size);
+    std::vector<std::array<Extent<Real>, 2>> parts((count + job_size_ - 1) / job_size_);
     in_parallel(parts.size(), [&](std::size_t part) {
-      const std::uint32_t begin = static_cast<std::uint32_t>(part) * chunk_size;
-      const std::uint32_t end = std::min(count, begin + chunk_size);
+      const std::uint32_t begin = static_cast<std::uint32_t>(part) * job_size_;
+      const std::uint32_t end = std::min(count, begin + job_size_);
       for (std::uint32_t i = begin; i < end; ++i) {
         const PrimitiveReference<Real> reference(boxes_[i], i);
         references_[0][i] = reference;
@@ -91,8 +94,8 @@ class BvhBuilder {
     return root;
   }
 
-  static bool is_one_job(const Range<Real>& range) {
-    return range.count() <= subtree_size || range.depth >= most_shared_levels;
+  bool is_one_job(const Range<Real>& range) const {
+    return range.count() <= job_size_ || range.depth >= most_shared_levels;
   }
 
   /// Splits every range with the help of all threads, moving its references from one array to the other. Returns the
@@ -106,28 +109,21 @@ class BvhBuilder {
         subtrees_.push_back({ranges[i], side, {}});
         continue;
       }
-      for (std::uint32_t begin = ranges[i].begin; begin < ranges[i].end; begin += chunk_size)
-        chunks.push_back({i, begin, std::min(ranges[i].end, begin + chunk_size), {}, 0, 0, {}});
+      for (std::uint32_t begin = ranges[i].begin; begin < ranges[i].end; begin += job_size_)
+        chunks.push_back({i, begin, std::min(ranges[i].end, begin + job_size_), BinSet<Real>(), 0, 0, {}});
     }
-    const auto& from = references_[static_cast<std::size_t>(side)];
-    auto& to = references_[static_cast<std::size_t>(1 - side)];
+    const PrimitiveReference<Real>* const from = references_[static_cast<std::size_t>(side)].get();
+    PrimitiveReference<Real>* const to = references_[static_cast<std::size_t>(1 - side)].get();
     in_parallel(chunks.size(), [&](std::size_t i) {
       Chunk<Real>& chunk = chunks[i];
-      chunk.bins.add(std::span(from).subspan(chunk.begin, chunk.end - chunk.begin), ranges[chunk.range].centroids,
-                     most_bins);
+      chunk.bins.add(std::span(from + chunk.begin, from + chunk.end), ranges[chunk.range].centroids);
     });
     const std::vector<BvhSplit<Real>> splits = choose_splits(ranges, chunks);
     in_parallel(chunks.size(), [&](std::size_t i) {
       Chunk<Real>& chunk = chunks[i];
       const BvhSplit<Real>& split = splits[chunk.range];
-      std::array<std::uint32_t, 2> next{chunk.left, chunk.right};
-      for (std::uint32_t k = chunk.begin; k < chunk.end; ++k) {
-        Lanes4<Real> centroid;
-        from[k].centroid(centroid);
-        const std::size_t goes = split.axis < 0 || split.is_left(centroid) ? 0 : 1;
-        to[next[goes]++] = from[k];
-        chunk.centroids[goes].include(centroid);
-      }
+      move_to_sides(std::span(from + chunk.begin, from + chunk.end), split, to, {chunk.left, chunk.right},
+                    chunk.centroids);
     });
     for (std::size_t i = 0, c = 0; i < ranges.size(); ++i) {
       if (is_one_job(ranges[i])) continue;
@@ -141,6 +137,25 @@ class BvhBuilder {
       for (const Range<Real>& child : children(bvh_.nodes, ranges[i], splits[i], centroids)) large.push_back(child);
     }
     return large;
+  }
+
+  /// Appends each of `from` to its side, which begins at `next` in `to`, and adds its centroid to that side's. Without
+  /// a branch, which would be guessed wrongly every other time: a point of NaN changes no extent.
+  static void move_to_sides(std::span<const PrimitiveReference<Real>> from, const BvhSplit<Real>& split,
+                            PrimitiveReference<Real>* to, std::array<std::uint32_t, 2> next,
+                            std::array<Extent<Real>, 2>& centroids) {
+    using Index = typename FourLanes<Real>::Index;
+    Extent<Real> left = centroids[0], right = centroids[1];
+    for (const PrimitiveReference<Real>& reference : from) {
+      const int goes = split.axis < 0 || split.is_left(reference) ? 0 : 1;
+      to[next[static_cast<std::size_t>(goes)]++] = reference;
+      const Index to_right = Index{} - goes;
+      Lanes4<Real> centroid;
+      reference.centroid(centroid);
+      left.include(reinterpret_cast<Lanes4<Real>>(reinterpret_cast<Index>(centroid) | to_right));
+      right.include(reinterpret_cast<Lanes4<Real>>(reinterpret_cast<Index>(centroid) | ~to_right));
+    }
+    centroids = {left, right};
   }
 
   static std::vector<BvhSplit<Real>> choose_splits(const std::vector<Range<Real>>& ranges,
@@ -186,7 +201,7 @@ class BvhBuilder {
       subtree.nodes.emplace_back();
       Range<Real> range = subtree.range;
       range.node = 0;
-      fill(subtree, range);
+      fill(subtree, range, subtree.side);
     });
     std::vector<std::uint32_t> shift;
     std::size_t size = bvh_.nodes.size();
@@ -206,20 +221,22 @@ class BvhBuilder {
     });
   }
 
-  void fill(Subtree& subtree, const Range<Real>& range) {
+  /// `side`: which array holds the range's references.
+  void fill(Subtree& subtree, const Range<Real>& range, int side) {
     if (range.count() > 512) check_stop();
-    const auto& references = references_[static_cast<std::size_t>(subtree.side)];
+    const PrimitiveReference<Real>* const references = references_[static_cast<std::size_t>(side)].get();
+    const std::span own(references + range.begin, references + range.end);
     const bool whole = range.count() == boxes_.size();
     const std::uint32_t leaf = whole ? bvh_no_tree : bvh_leaf;
     BvhSplit<Real> split;
     if (range.count() > leaf && range.depth < bvh_max_depth - 1) {
-      BinSet<Real> bins;
-      bins.add(std::span(references).subspan(range.begin, range.count()), range.centroids, bins_for(range.count()));
+      BinSet<Real> bins(bins_for(range.count()));
+      bins.add(own, range.centroids);
       split = bins.best_split(range.count(), range.boxes, range.centroids);
     }
     if (split.axis < 0 && range.count() > 4 * leaf && range.depth < bvh_max_depth - 1 &&
         !std::isfinite(range.boxes.half_area())) {
-      for (const Range<Real>& child : halves(subtree, range)) fill(subtree, child);
+      for (const Range<Real>& child : halves(subtree, range, references)) fill(subtree, child, side);
       return;
     }
     if (split.axis < 0) {
@@ -227,14 +244,16 @@ class BvhBuilder {
       for (std::uint32_t i = range.begin; i < range.end; ++i) bvh_.order[i] = references[i].primitive();
       return;
     }
-    const std::array<Extent<Real>, 2> centroids = partition(subtree.side, range, split);
-    for (const Range<Real>& child : children(subtree.nodes, range, split, centroids)) fill(subtree, child);
+    std::array<Extent<Real>, 2> centroids;
+    move_to_sides(own, split, references_[static_cast<std::size_t>(1 - side)].get(),
+                  {range.begin, range.begin + split.left_count}, centroids);
+    for (const Range<Real>& child : children(subtree.nodes, range, split, centroids)) fill(subtree, child, 1 - side);
   }
 
   /// Where areas overflow, no cut costs less than another. Neighbours in a mesh mostly are together in its list, so
   /// that half of the list is better than a leaf of thousands.
-  std::array<Range<Real>, 2> halves(Subtree& subtree, const Range<Real>& range) {
-    const auto& references = references_[static_cast<std::size_t>(subtree.side)];
+  std::array<Range<Real>, 2> halves(Subtree& subtree, const Range<Real>& range,
+                                    const PrimitiveReference<Real>* references) {
     BvhSplit<Real> split;
     split.left_count = range.count() / 2;
     std::array<Extent<Real>, 2> centroids;
@@ -248,22 +267,10 @@ class BvhBuilder {
     return children(subtree.nodes, range, split, centroids);
   }
 
-  std::array<Extent<Real>, 2> partition(int side, const Range<Real>& range, const BvhSplit<Real>& split) {
-    PrimitiveReference<Real>* const references = references_[static_cast<std::size_t>(side)].data();
-    std::array<Extent<Real>, 2> centroids;
-    std::partition(references + range.begin, references + range.end, [&](const PrimitiveReference<Real>& reference) {
-      Lanes4<Real> centroid;
-      reference.centroid(centroid);
-      const bool left = split.is_left(centroid);
-      centroids[left ? 0 : 1].include(centroid);
-      return left;
-    });
-    return centroids;
-  }
-
   std::span<const Box<Real>> boxes_;
   ParallelOptions options_;
-  std::array<std::vector<PrimitiveReference<Real>>, 2> references_;
+  std::uint32_t job_size_;
+  std::array<std::unique_ptr<PrimitiveReference<Real>[]>, 2> references_;
   std::vector<Subtree> subtrees_;
   Bvh<Real> bvh_;
 };

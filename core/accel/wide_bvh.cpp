@@ -26,21 +26,29 @@ void put_box(WideNode& node, std::size_t slot, const Box<float>& box) {
   }
 }
 
-// From the centres of the boxes.
+// From the centres of the boxes, for all octants side by side: a child's place is the number of those before it.
 void order_children(WideNode& node, std::size_t count) {
-  for (unsigned octant = 0; octant < 8; ++octant) {
-    std::array<float, wide_width> distance{};  // along the octant's diagonal
-    std::array<std::uint32_t, wide_width> slots{0, 1, 2, 3, 4, 5, 6, 7};
-    for (std::size_t slot = 0; slot < count; ++slot)
-      for (unsigned axis = 0; axis < 3; ++axis) {
-        const float centre = node.planes[2 * axis][slot] + node.planes[2 * axis + 1][slot];
-        distance[slot] += (octant >> axis & 1u) != 0 ? -centre : centre;
+  std::array<std::array<float, 8>, wide_width> distance{};  // along the octant's diagonal
+  std::array<std::array<std::uint32_t, 8>, wide_width> place{};
+  for (std::size_t slot = 0; slot < wide_width; ++slot) {
+    std::array<float, 3> centre{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      centre[axis] = node.planes[2 * axis][slot] + node.planes[2 * axis + 1][slot];
+    for (std::size_t octant = 0; octant < 8; ++octant)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        distance[slot][octant] += (octant >> axis & 1u) != 0 ? -centre[axis] : centre[axis];
+    if (slot >= count) distance[slot].fill(std::numeric_limits<float>::infinity());
+    for (float& value : distance[slot])  // where sums overflow; every child needs a place of its own
+      value = value == value ? value : 0.0f;
+    for (std::size_t other = 0; other < slot; ++other)
+      for (std::size_t octant = 0; octant < 8; ++octant) {
+        const std::uint32_t behind = distance[other][octant] <= distance[slot][octant] ? 1 : 0;
+        place[slot][octant] += behind;
+        place[other][octant] += 1 - behind;
       }
-    for (std::size_t i = 1; i < count; ++i)
-      for (std::size_t k = i; k > 0 && distance[slots[k - 1]] > distance[slots[k]]; --k)
-        std::swap(slots[k - 1], slots[k]);
-    for (std::size_t place = 0; place < wide_width; ++place) node.order[place] |= slots[place] << (3 * octant);
   }
+  for (std::uint32_t slot = 0; slot < wide_width; ++slot)
+    for (std::size_t octant = 0; octant < 8; ++octant) node.order[place[slot][octant]] |= slot << (3 * octant);
 }
 
 namespace {
@@ -267,7 +275,7 @@ void see_from(const Vec3f& centre, LargeArray<WideNode>& nodes) {
 }
 
 void for_each_range(std::size_t count, int threads, const std::function<void(std::size_t, std::size_t)>& body) {
-  constexpr std::size_t step = 1u << 13;
+  const std::size_t step = std::clamp<std::size_t>(count / 8, 1u << 9, 1u << 13);
   Progress progress;
   parallel_for(static_cast<int>((count + step - 1) / step), {threads, WorkerPriority::normal}, progress,
                [&](int index, int) {

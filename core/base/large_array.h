@@ -34,6 +34,11 @@ struct LargePages {
     return static_cast<T*>(memory);
   }
   void deallocate(T* memory, std::size_t) noexcept { std::free(memory); }
+  /// What resize() adds has no value that its type does not give it: several threads are to write it.
+  template <class Element>
+  void construct(Element* at) {
+    ::new (static_cast<void*>(at)) Element;
+  }
 
   bool operator==(const LargePages&) const { return true; }
 };
