@@ -305,8 +305,9 @@ std::vector<Option> shadow_rows() {
            .known_to = {.fast = {knows(sphere_packets, 60, SelfHit::offset),
                                  knows(triangle_search, 60, SelfHit::offset, SelfHit::epsilon, SelfHit::normal_bump)},
                         .hardware = not_asked},
-           .shown_by = {.experiments = {{"constant-normal-bump", is<&Settings::self_hit, SelfHit::normal_bump>,
-                                         "self-hit=offset"}},
+           .shown_by = {.experiments =
+                            {{"constant-normal-bump", is<&Settings::self_hit, SelfHit::normal_bump>, "self-hit=offset"},
+                             {"guards-at-a-surface", is<&Settings::self_hit, SelfHit::exclusion>, "self-hit=offset"}},
                         .scenes = {{"cgfs/reflections"}}}},
           {{"offset", "bounded offset", "Starts outside the error bound of the hit point; nothing to tune."},
            {"epsilon", "epsilon", "Ignores hits with t up to epsilon, as in the book."},
