@@ -12,8 +12,8 @@ namespace {
 
 constexpr int most_shared_levels = 32;  // deeper ranges are one worker's job, too: it keeps to the depth
 
-/// Of `count` primitives, as many as one step of a parallel pass takes, and the most that are one worker's job. By the
-/// count alone: the tree must not depend on the number of threads.
+/// The share of `count` primitives that one step of a parallel pass takes, and the most that are one worker's job. By
+/// the count alone: the tree must not depend on the number of threads.
 std::uint32_t job_size(std::uint32_t count) { return std::clamp(count / 8, 1u << 10, 1u << 15); }
 
 /// A range of references that will become a node.
