@@ -224,7 +224,7 @@ TEST(Accelerators, FindTheHitOfTheWatertightTest) { expect_same_hits<float>(Tria
 TEST(Accelerators, FindTheHitOfMoellerTrumbore) { expect_same_hits<float>(TriangleTest::moeller_trumbore); }
 TEST(Accelerators, FindTheHitInDouble) { expect_same_hits<double>(TriangleTest::watertight); }
 
-/// Rays of neighbours are searched for together: eight around each of the aimed ones.
+/// Rays of neighbours are searched for together: sixteen around each of the aimed ones.
 void expect_same_hits_together(Accelerator accelerator, Simd narrowest) {
   std::vector<Simd> widths = test::simd_targets();
   std::erase_if(widths, [&](Simd simd) { return simd < narrowest; });
@@ -250,15 +250,17 @@ void expect_same_hits_together(Accelerator accelerator, Simd narrowest) {
         const FastIntersector fast(inputs, *wide, recorder);
         int differing = 0, together = 0;
         for (const Ray<float>& ray : aimed_rays(*inputs.geometry, place, seed, test::trials(1500))) {
-          std::array<Ray<float>, packet_width> rays;
-          std::array<Hit<float>, packet_width> hits;
-          for (std::size_t i = 0; i < packet_width; ++i) {
+          std::array<Ray<float>, most_in_packet> rays;
+          std::array<Hit<float>, most_in_packet> hits;
+          for (std::size_t i = 0; i < most_in_packet; ++i) {
             rays[i] = ray;
             for (int axis = 0; axis < 3 && i > 0; ++axis)  // from an ulp to a percent
-              rays[i].direction[axis] *= 1 + std::ldexp(static_cast<float>(axis + 1), -24 + 2 * static_cast<int>(i));
+              rays[i].direction[axis] *= 1 + std::ldexp(static_cast<float>(axis + 1), -24 + static_cast<int>(i));
           }
-          together += suits_packet(rays.data(), rays.size()) ? 1 : 0;
-          const std::size_t count = 1 + static_cast<std::size_t>(together) % packet_width;
+          WidePacket packet;
+          const std::span<const Ray<float>> some(rays.data(), std::min(most_in_packet, wide->packets.width));
+          together += wide->list || wide->packets.make(some, wide->seen, inputs.box_padding, packet) ? 1 : 0;
+          const std::size_t count = 1 + static_cast<std::size_t>(together) % most_in_packet;
           fast.nearest_of_each(std::span<const Ray<float>>(rays.data(), count), std::span(hits.data(), count));
           for (std::size_t i = 0; i < count; ++i) differing += same_bits(clear.nearest(rays[i]), hits[i]) ? 0 : 1;
         }

@@ -17,13 +17,16 @@ Hit<float> FastIntersector::any(const Ray<float>& ray) const {
 
 void FastIntersector::nearest_of_each(std::span<const Ray<float>> rays, std::span<Hit<float>> hits) const {
   WidePacket packet;
-  for (std::size_t first = 0; first < rays.size(); first += packet_width) {
-    const std::size_t count = std::min(packet_width, rays.size() - first);
+  packet.triangle_epsilon = inputs_.triangle_epsilon;
+  packet.filter = filter_;
+  const std::size_t together = wide_.wide && wide_.packets.make ? wide_.packets.width : most_list_queries;
+  for (std::size_t first = 0; first < rays.size(); first += together) {
+    const std::size_t count = std::min(together, rays.size() - first);
     const auto some = rays.subspan(first, count);
     const auto found = hits.subspan(first, count);
     if (wide_.list && std::all_of(some.begin(), some.end(), is_searchable<float>))
       search_list_together(some, found);
-    else if (wide_.wide && put_side_by_side(some, packet))
+    else if (wide_.wide && wide_.packets.make && wide_.packets.make(some, wide_.seen, inputs_.box_padding, packet))
       search_tree_together(some, packet, found);
     else
       for (std::size_t i = 0; i < count; ++i) found[i] = nearest(some[i]);
@@ -81,7 +84,6 @@ void FastIntersector::search_list(const Ray<float>& ray, Find find, Hit<float>& 
 }
 
 void FastIntersector::search_list_together(std::span<const Ray<float>> rays, std::span<Hit<float>> hits) const {
-  static_assert(packet_width <= most_list_queries);
   std::vector<WideQuery> queries;
   queries.reserve(rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -93,43 +95,26 @@ void FastIntersector::search_list_together(std::span<const Ray<float>> rays, std
   count(work);
 }
 
-bool FastIntersector::put_side_by_side(std::span<const Ray<float>> rays, WidePacket& packet) const {
-  if (!wide_.packets.nearest || !suits_packet(rays.data(), rays.size())) return false;
-  float pad = 0;
-  packet.triangle_epsilon = inputs_.triangle_epsilon;
-  packet.filter = filter_;
-  for (std::size_t lane = 0; lane < packet_width; ++lane) {
-    const Ray<float>& ray = rays[std::min(lane, rays.size() - 1)];
-    const float reach = reach_of(ray);
-    if (!suits_tree(ray, reach)) return false;
-    for (int axis = 0; axis < 3; ++axis) {
-      packet.origin[static_cast<std::size_t>(axis)][lane] = ray.origin[axis];
-      packet.direction[static_cast<std::size_t>(axis)][lane] = ray.direction[axis];
-    }
-    packet.t_min[lane] = ray.t_min;
-    packet.t_max[lane] = ray.t_max;
-    pad = std::max(pad, inputs_.box_padding * reach);
-  }
-  packet.pad = pad;
-  return true;
-}
-
 void FastIntersector::search_tree_together(std::span<const Ray<float>> rays, const WidePacket& packet,
                                            std::span<Hit<float>> hits) const {
   WidePacketHits best;
-  nearest_others(rays, packet, hits);
-  for (std::size_t lane = 0; lane < packet_width; ++lane) {
-    const std::size_t i = std::min(lane, rays.size() - 1);
-    best.t[lane] = hits[i].t;
-    best.primitive[lane] = static_cast<std::int32_t>(hits[i].primitive);
-    for (std::size_t k = 0; k < 3; ++k) best.weights[k][lane] = hits[i].weights[k];
+  best.t = packet.t_max;
+  best.primitive.fill(static_cast<std::int32_t>(no_primitive));
+  best.weights = {};
+  if (!wide_.only_triangles) {
+    nearest_others(rays, packet, hits);
+    for (std::size_t lane = 0; lane < most_in_packet; ++lane) {
+      const std::size_t i = std::min(lane, rays.size() - 1);
+      best.t[lane] = hits[i].t;
+      best.primitive[lane] = static_cast<std::int32_t>(hits[i].primitive);
+    }
   }
   WideCount work;
   wide_.packets.nearest(wide_.wide->triangles, packet, best, work);
   count(work);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const auto primitive = static_cast<std::uint32_t>(best.primitive[i]);
-    if (primitive != hits[i].primitive)
+    if (wide_.only_triangles || primitive != hits[i].primitive)
       hits[i] = {primitive, best.t[i], {best.weights[0][i], best.weights[1][i], best.weights[2][i]}, 0};
   }
 }

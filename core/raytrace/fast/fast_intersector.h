@@ -75,9 +75,7 @@ class FastIntersector final : public RaySearch<float> {
   void search_instances(const Ray<float>& ray, float reach, Find find, Hit<float>& best) const;
   void search_list(const Ray<float>& ray, Find find, Hit<float>& best) const;
 
-  // Up to packet_width rays at once.
-  /// The last ray fills lanes that are left over. False if the rays must be searched one by one.
-  bool put_side_by_side(std::span<const Ray<float>> rays, WidePacket& packet) const;
+  // As many rays at once as go together.
   void search_tree_together(std::span<const Ray<float>> rays, const WidePacket& packet,
                             std::span<Hit<float>> hits) const;
   void search_list_together(std::span<const Ray<float>> rays, std::span<Hit<float>> hits) const;

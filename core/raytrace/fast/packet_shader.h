@@ -23,7 +23,7 @@ class PacketShader {
     packet_.own_attributes = &own_attributes_[0].normals[0].x;
   }
 
-  /// Shades the hits of up to packet_width rays.
+  /// Shades the hits of up to shaded_together rays.
   void shade(std::span<const Ray<float>> rays, std::span<const Hit<float>> hits, std::span<Vec3f> colours);
 
  private:
@@ -39,8 +39,8 @@ class PacketShader {
   const ClearTracer& tracer_;
   CountingRecorder& recorder_;
   HitPacket packet_;
-  std::array<TracedTriangle<float>, packet_width> own_triangles_;  ///< of the lanes, where meshes are shared
-  std::array<TriangleAttributes<float>, packet_width> own_attributes_;
+  std::array<TracedTriangle<float>, shaded_together> own_triangles_;  ///< of the lanes, where meshes are shared
+  std::array<TriangleAttributes<float>, shaded_together> own_attributes_;
   std::vector<unsigned> blocked_;  ///< by light, a bit for each lane
 };
 

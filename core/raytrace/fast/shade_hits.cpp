@@ -18,7 +18,7 @@ namespace ps::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using D = hn::CappedTag<float, packet_width>;
+using D = hn::CappedTag<float, shaded_together>;
 using I = hn::RebindToSigned<D>;
 using V = hn::Vec<D>;
 using M = hn::Mask<D>;
@@ -56,7 +56,7 @@ HWY_INLINE P triangle_normals(const P& a, const P& b, const P& c) {
   store(a, corners[0]);
   store(b, corners[1]);
   store(c, corners[2]);
-  for (std::size_t i = 0; i < packet_width; ++i) {
+  for (std::size_t i = 0; i < shaded_together; ++i) {
     const auto corner = [&](const std::array<HitPacket::Lanes, 3>& of) { return Vec3f(of[0][i], of[1][i], of[2][i]); };
     const Vec3f own = triangle_normal(corner(corners[0]), corner(corners[1]), corner(corners[2]));
     for (std::size_t axis = 0; axis < 3; ++axis) normals[axis][i] = own[static_cast<int>(axis)];

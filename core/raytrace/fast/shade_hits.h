@@ -6,9 +6,10 @@
 
 #include "frame/frame.h"
 #include "raytrace/base/trace_inputs.h"
-#include "raytrace/fast/wide_packet.h"
 
 namespace ps {
+
+inline constexpr std::size_t shaded_together = 8;
 
 /// The fast path of shading: what eye rays of neighbouring pixels met on triangles of plain materials, eight hits at
 /// once. It repeats surface_point.h and shade/illumination.h operation by operation, so every colour is the same to the
@@ -16,8 +17,8 @@ namespace ps {
 
 /// Hits, lane by lane. Lanes that hold none may hold any triangle of the scene.
 struct alignas(32) HitPacket {
-  using Lanes = WidePacket::Lanes;
-  using Numbers = std::array<std::int32_t, packet_width>;
+  using Lanes = std::array<float, shaded_together>;
+  using Numbers = std::array<std::int32_t, shaded_together>;
   Numbers triangle{};    ///< index into TracedGeometry::triangles
   Numbers attributes{};  ///< index into TracedGeometry::attributes of vertex normals; -1 = the face's normal
   Numbers material{};    ///< index into HitTables::materials

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "raytrace/clear/store_pixel.h"
@@ -61,51 +62,60 @@ class WideTiles final : public TileTracer {
     if (store_pixel(pixel, inputs_, x, y, frame)) recorder.count(Counter::nan_pixels);
   }
 
-  /// Calls use(column, rays, hits) for up to packet_width pixels of a part of a row at a time, whose eye rays are
-  /// searched for together.
+  /// Calls use(pixels, rays, hits) for all pixels of a part, up to `shaded_together` at a time. Eye rays are made and
+  /// searched for in blocks of 16 x 4 pixels, which are four of 4 x 4: what goes together should be near each other.
   template <class Use>
-  void find_pixels(const Eye& eye, int first_column, int end_column, int row, Use&& use) const {
-    std::array<Ray<float>, packet_width> rays;
-    std::array<Hit<float>, packet_width> hits;
-    const Viewport<float>& viewport = inputs_.viewport;
-    const Vec3f upwards = inputs_.up * viewport.at(first_column, row).y;  // the same for the row
-    rays.fill(eye_ray_to(inputs_, 0.0f, upwards));
-    for (int column = first_column; column < end_column;) {
-      std::size_t count = 0;
-      for (; count < packet_width && column + static_cast<int>(count) < end_column; ++count)
-        aim(inputs_, rays[count], viewport.at(column + static_cast<int>(count), row).x, upwards);
-      const auto some = std::span<const Ray<float>>(rays).first(count);
-      eye.find(some, std::span(hits).first(count));
-      use(column, some, std::span<const Hit<float>>(hits).first(count));
-      column += static_cast<int>(count);
-    }
+  void find_pixels(const Eye& eye, const TileRect& part, Use&& use) const {
+    constexpr int group = 4, columns = 16, rows = 4;
+    static_assert(columns * rows == rays_at_once && group * rows == most_in_packet);
+    std::array<Ray<float>, rays_at_once> rays;
+    std::array<Hit<float>, rays_at_once> hits;
+    std::array<Vec2i, rays_at_once> pixels;
+    rays.fill(eye_ray_to(inputs_, 0.0f, Vec3f(0)));
+    std::array<float, columns> across;
+    for (int top = part.y0; top < part.y1; top += rows)
+      for (int left = part.x0; left < part.x1; left += columns) {
+        const int right = std::min(left + columns, part.x1), bottom = std::min(top + rows, part.y1);
+        for (int x = left; x < right; ++x) across[static_cast<std::size_t>(x - left)] = inputs_.viewport.at(x, top).x;
+        std::size_t count = 0;
+        for (int first = left; first < right; first += group)
+          for (int y = top; y < bottom; ++y) {
+            const Vec3f upwards = inputs_.up * inputs_.viewport.at(first, y).y;  // the same for the row
+            for (int x = first; x < std::min(first + group, right); ++x, ++count) {
+              aim(inputs_, rays[count], across[static_cast<std::size_t>(x - left)], upwards);
+              pixels[count] = {x, y};
+            }
+          }
+        eye.find(std::span<const Ray<float>>(rays).first(count), std::span(hits).first(count));
+        for (std::size_t i = 0; i < count; i += shaded_together) {
+          const std::size_t some = std::min(shaded_together, count - i);
+          use(std::span<const Vec2i>(pixels).subspan(i, some), std::span<const Ray<float>>(rays).subspan(i, some),
+              std::span<const Hit<float>>(hits).subspan(i, some));
+        }
+      }
   }
 
-  /// One ray for each pixel, found by eight.
+  /// One ray for each pixel, found together.
   void trace_found(const Eye& eye, const TileRect& part, Frame& frame) const {
     TracedPixel<float> pixel;
-    for (int y = part.y0; y < part.y1; ++y)
-      find_pixels(eye, part.x0, part.x1, y,
-                  [&](int x, std::span<const Ray<float>> rays, std::span<const Hit<float>> hits) {
-                    for (std::size_t i = 0; i < rays.size(); ++i) {
-                      eye.trace_known(rays[i], hits[i], pixel);
-                      store(pixel, x + static_cast<int>(i), y, frame, eye.recorder());
-                    }
-                  });
+    find_pixels(eye, part, [&](auto pixels, auto rays, auto hits) {
+      for (std::size_t i = 0; i < pixels.size(); ++i) {
+        eye.trace_known(rays[i], hits[i], pixel);
+        store(pixel, pixels[i].x, pixels[i].y, frame, eye.recorder());
+      }
+    });
   }
 
-  /// One ray for each pixel, found and shaded by eight.
+  /// One ray for each pixel, found and shaded together.
   void trace_shaded(const Eye& eye, const TileRect& part, Frame& frame) const {
     PacketShader shader(inputs_, *hit_tables_, eye, eye.recorder());
-    std::array<Vec3f, packet_width> colours;
-    for (int y = part.y0; y < part.y1; ++y)
-      find_pixels(eye, part.x0, part.x1, y,
-                  [&](int x, std::span<const Ray<float>> rays, std::span<const Hit<float>> hits) {
-                    shader.shade(rays, hits, colours);
-                    for (std::size_t i = 0; i < hits.size(); ++i)
-                      if (store_hit(colours[i], hits[i], inputs_, x + static_cast<int>(i), y, frame))
-                        eye.recorder().count(Counter::nan_pixels);
-                  });
+    std::array<Vec3f, shaded_together> colours;
+    find_pixels(eye, part, [&](auto pixels, auto rays, auto hits) {
+      shader.shade(rays, hits, colours);
+      for (std::size_t i = 0; i < pixels.size(); ++i)
+        if (store_hit(colours[i], hits[i], inputs_, pixels[i].x, pixels[i].y, frame))
+          eye.recorder().count(Counter::nan_pixels);
+    });
   }
 
   void trace_between(const Eye& eye, const TileRect& tile, const TileRect& part, Frame& frame) const {

@@ -43,12 +43,15 @@ void OurRays::nearest(std::span<const BenchRay> rays, std::span<BenchHit> hits) 
 
 void OurRays::nearest_together(std::span<const BenchRay> rays, std::span<BenchHit> hits) const {
   content_->search([&](const RaySearch<float>& search) {
-    std::array<Ray<float>, packet_width> some;
-    std::array<Hit<float>, packet_width> found;
-    for (std::size_t first = 0; first < rays.size(); first += packet_width) {
-      const std::size_t count = std::min(packet_width, rays.size() - first);
-      for (std::size_t i = 0; i < count; ++i)
-        some[i] = {rays[first + i].origin, rays[first + i].direction, 0, rays[first + i].t_max, no_primitive};
+    std::array<Ray<float>, rays_at_once> some;
+    std::array<Hit<float>, rays_at_once> found;
+    for (std::size_t first = 0; first < rays.size(); first += rays_at_once) {
+      const std::size_t count = std::min(rays_at_once, rays.size() - first);
+      for (std::size_t i = 0; i < count; ++i) {
+        some[i].origin = rays[first + i].origin;
+        some[i].direction = rays[first + i].direction;
+        some[i].t_max = rays[first + i].t_max;
+      }
       search.nearest_of_each(std::span<const Ray<float>>(some.data(), count), std::span(found.data(), count));
       for (std::size_t i = 0; i < count; ++i)
         hits[first + i] = {found[i].found() ? found[i].primitive : no_hit, found[i].t};
