@@ -45,7 +45,8 @@ class Helper {
   explicit Helper(int nice)
       : thread_([this, nice] {
           if (nice != own_nice()) set_own_nice(nice);
-          while (wait_while(State::idle) == State::working) {
+          while (wait_while(State::idle) != State::ending) {
+            if (!move(State::asked, State::working)) continue;  // it was taken back
             (*work_)(worker_);
             change(State::idle);
           }
@@ -61,13 +62,21 @@ class Helper {
   void start(const std::function<void(int)>& work, int worker) {
     work_ = &work;
     worker_ = worker;
-    change(State::working);
+    change(State::asked);
   }
   /// Waits until that call has returned.
-  void finish() { wait_while(State::working); }
+  void finish() {
+    wait_while(State::asked);
+    wait_while(State::working);
+  }
+  /// The same where nothing is left to do: if the thread has not begun the call, it is taken back. On a busy machine it
+  /// may take longer to wake up than all of the work.
+  void finish_early() {
+    if (!move(State::asked, State::idle)) wait_while(State::working);
+  }
 
  private:
-  enum class State : int { idle, working, ending };
+  enum class State : int { idle, asked, working, ending };
 
   /// Sequentially consistent, since notify_all() wakes none if none seems to wait: with a weaker order the processor
   /// may look for them before others see the new state, and who begins to wait just then would wait for ever.
@@ -75,6 +84,8 @@ class Helper {
     state_.store(to, std::memory_order_seq_cst);
     state_.notify_all();
   }
+  /// False if the state is not `from`.
+  bool move(State from, State to) { return state_.compare_exchange_strong(from, to, std::memory_order_acq_rel); }
   /// The state after `now`. Looks for it a few microseconds long, which is shorter than to fall asleep and wake up.
   State wait_while(State now) const {
     constexpr int tries = 64;
@@ -187,7 +198,8 @@ void parallel_for(int count, const ParallelOptions& options, Progress& progress,
   Helpers helpers = IdleHelpers::all().take(static_cast<std::size_t>(threads - first), nice);
   for (std::size_t i = 0; i < helpers.size(); ++i) helpers[i]->start(work, static_cast<int>(i) + first);
   if (own_priority || helpers.empty()) work(0);
-  for (const auto& helper : helpers) helper->finish();
+  if (!own_priority && !helpers.empty()) helpers[0]->finish();  // then all indices are taken
+  for (const auto& helper : helpers) helper->finish_early();
   IdleHelpers::all().give_back(helpers, nice);
   if (failure) std::rethrow_exception(failure);
 }
