@@ -37,7 +37,7 @@ std::string measured_text(double value) { return std::isnan(value) ? "-" : fmt::
 void print_rows(const StabilityExperiment& experiment, const std::vector<StabilityRow>& rows) {
   fmt::print("{} ({})\n{}\n", experiment.title, experiment.key, experiment.explanation);
   fmt::print("naive: {}; robust: {}; safe: {}\n", experiment.naive, experiment.robust, experiment.safe);
-  fmt::print("set-up: {}\n", set_up_text(experiment.set_up));
+  if (const auto set_up = set_up_text(experiment.set_up); !set_up.empty()) fmt::print("{}\n", set_up);
   fmt::print("{}\n", first_figure_text(experiment, rows));
   fmt::print("{:>12} {:>12} {:>12}  {}\n", "knob", "naive", "robust", experiment.knob);
   for (const StabilityRow& row : rows) {

@@ -1,5 +1,6 @@
 #include "options/difference_words.h"
 
+#include <array>
 #include <cctype>
 
 #include <fmt/format.h>
@@ -17,6 +18,25 @@ std::string within_sentence(std::string_view label) {
   return text;
 }
 
+/// Words of options whose labels make no sense behind "with" and "without".
+struct OwnWords {
+  std::string_view key, with, without;
+};
+constexpr std::array own_words{
+    OwnWords{"listing-bug", "with the bug", "without the bug"},
+    OwnWords{"demo-slips", "with the demo's bugs", "without the demo's bugs"},
+    OwnWords{"camera-relative", "relative to the camera", "in world coordinates"},
+    OwnWords{"early-depth", "with an early depth pass", "without an early depth pass"},
+    OwnWords{"renormalise", "normals renormalised", "normals as interpolated"},
+    OwnWords{"diffuse", "with the diffuse term", "without the diffuse term"},
+    OwnWords{"reflection-depth", "", "without reflections"},
+    OwnWords{"environment", "", "without environment maps"},
+    OwnWords{"volume-depth-clamp", "volumes clamped at the far limit", "volumes cut at the far limit"},
+    OwnWords{"shadow-any-hit", "shadow rays stop at any hit", "shadow rays find the nearest hit"},
+    OwnWords{"shadow-cache", "with a shadow cache", "without a shadow cache"},
+    OwnWords{"cache-constants", "constants computed once per ray", "constants computed in each test"},
+    OwnWords{"accelerator", "", "without an accelerator"}};
+
 }  // namespace
 
 bool is_without(const Option& option, const Settings& settings) {
@@ -28,11 +48,15 @@ bool is_without(const Option& option, const Settings& settings) {
 
 std::string setting_words(const Option& option, const Settings& settings) {
   const std::string label = within_sentence(option.label);
-  if (option.key == "listing-bug") return settings.listing_bug == 0 ? "without the bug" : "with the bug";
-  if (is_without(option, settings)) return "without " + (option.key == "reflection-depth" ? "reflections" : label);
+  const bool without = is_without(option, settings);
+  if (without || option.kind == OptionKind::boolean || option.key == "listing-bug") {
+    for (const OwnWords& own : own_words)
+      if (own.key == option.key) return std::string(without ? own.without : own.with);
+    return (without ? "without " : "with ") + label;
+  }
   switch (option.kind) {
   case OptionKind::boolean:
-    return "with " + label;
+    break;  // above
   case OptionKind::choice:
     if (option.key == "renderer") return std::string(chosen(option, settings).label);
     return fmt::format("{}: {}", label, chosen(option, settings).label);

@@ -10,7 +10,7 @@ namespace ps {
 /// Whether it switches the option's technique off: shadows = none, specular = off, reflection-depth = 0.
 bool is_without(const Option& option, const Settings& settings);
 
-/// One setting as people read it: "shading: flat", "without shadows", "without highlights", "reflection depth 3".
+/// One setting as people read it: "shading: flat", "without shadows", "in world coordinates", "reflection depth 3".
 std::string setting_words(const Option& option, const Settings& settings);
 /// That of the assignment "shading=flat". Text that is not such an assignment comes back as it is.
 std::string setting_words(std::string_view assignment);

@@ -171,7 +171,7 @@ void wake(const Waking& waking, Settings& settings) {
 std::string waking_text(const Waking& waking) {
   if (waking.settings.empty()) return waking.missing;
   std::string text;
-  for (const OptionValue& set : waking.settings) text += (text.empty() ? "acts with " : ", ") + value_words(set);
+  for (const OptionValue& set : waking.settings) text += (text.empty() ? "needs " : ", ") + value_words(set);
   return text;
 }
 

@@ -36,7 +36,7 @@ Waking waking_of(const Option& option, const Settings& settings, const SceneTrai
 /// Sets all of it.
 void wake(const Waking& waking, Settings& settings);
 
-/// "acts with Shading = Phong", or what is missing.
+/// "needs Shading = Phong", or what is missing.
 std::string waking_text(const Waking& waking);
 
 }  // namespace ps

@@ -26,6 +26,7 @@ ChannelPicture heat_picture(const Frame& frame, const ShownChannelRow& row, cons
     return value ? heat_colour((*value - range.low) / length) : channels::nothing_seen;
   });
   result.legend.heat = true;
+  result.legend.whole = heat.whole;
   result.legend.low = range.low;
   result.legend.high = range.high;
   if (!heat.without_value.empty()) result.legend.entries = {{channels::nothing_seen, std::string(heat.without_value)}};

@@ -43,6 +43,7 @@ struct ChannelLegend {
   std::string unit;   ///< of low and high; may be empty
   bool heat = false;  ///< colours run from low to high along heat_colour()
   double low = 0, high = 0;
+  bool whole = false;  ///< all values are whole numbers
   struct Entry {
     Rgb8 colour;
     std::string meaning;
@@ -69,6 +70,7 @@ struct HeatMap {
   /// The number that is shown at a pixel; absent where there is none.
   std::optional<double> (*value)(const Frame& frame, int x, int y) = nullptr;
   bool from_zero = true;             ///< the range of colours begins at 0, or below; else at the smallest number
+  bool whole = false;                ///< all numbers are whole
   std::string_view without_value{};  ///< meaning of pixels without a number
   ValueRange (*usual)(const Frame& frame, ValueRange) = nullptr;  ///< the part of the range that is worth its colours
 };

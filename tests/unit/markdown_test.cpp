@@ -66,7 +66,7 @@ TEST(Markdown, NamesInBoldLeadToTheirOptionOrPanel) {
   const auto link_of = [](const std::string& name) { return read("**" + name + "**").blocks.at(0).spans.at(0).link; };
   EXPECT_EQ(link_of("Shadow epsilon"), (TextLink{LinkKind::option, "shadow-epsilon", 0, {}}));
   EXPECT_EQ(link_of("shadow-epsilon"), (TextLink{LinkKind::option, "shadow-epsilon", 0, {}}));
-  EXPECT_EQ(link_of("MICROSCOPE"), (TextLink{LinkKind::panel, "microscope", 0, {}}));
+  EXPECT_EQ(link_of("Microscope"), (TextLink{LinkKind::panel, "microscope", 0, {}}));
   EXPECT_EQ(link_of("Parting"), (TextLink{LinkKind::panel, "parting", 0, {}}));
   EXPECT_EQ(link_of("very").kind, LinkKind::none);
 }

@@ -89,6 +89,11 @@ TEST(DifferenceWords, AnAssignmentHasTheSameWords) {
   EXPECT_EQ(setting_words("shadows=map"), "shadows: shadow map");
   EXPECT_EQ(setting_words("reflection-depth=0"), "without reflections");
   EXPECT_EQ(setting_words("parallax-mapping=off"), "without parallax mapping");
+  EXPECT_EQ(setting_words("camera-relative=off"), "in world coordinates");
+  EXPECT_EQ(setting_words("camera-relative=on"), "relative to the camera");
+  EXPECT_EQ(setting_words("shadow-any-hit=on"), "shadow rays stop at any hit");
+  EXPECT_EQ(setting_words("renormalise=off"), "normals as interpolated");
+  EXPECT_EQ(setting_words("accelerator=none"), "without an accelerator");
   EXPECT_EQ(setting_words("reflection-depth=many"), "reflection-depth=many") << "no such value";
   EXPECT_EQ(settings_in_words("double, shading=flat, specular=on"), "double, shading: flat, with highlights");
 }

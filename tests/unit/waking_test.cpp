@@ -148,15 +148,15 @@ std::string text_of(std::string_view key, const std::vector<std::string>& settin
 }
 
 TEST(Waking, AsksForWhatTheReasonNames) {
-  EXPECT_EQ(text_of("shadow-epsilon", {}, "cgfs/shadows"), "acts with Self-hit guard = epsilon");
-  EXPECT_EQ(text_of("backface-culling", {}, "cgfs/cubes"), "acts with Renderer = rasterizer");
+  EXPECT_EQ(text_of("shadow-epsilon", {}, "cgfs/shadows"), "needs Self-hit guard = epsilon");
+  EXPECT_EQ(text_of("backface-culling", {}, "cgfs/cubes"), "needs Renderer = rasterizer");
   EXPECT_EQ(text_of("renormalise", {"renderer=rasterizer", "shading=gouraud"}, "cgfs/shading"),
-            "acts with Shading = Phong");
-  EXPECT_EQ(text_of("specular", {"renderer=rasterizer", "draw=wireframe"}, "cgfs/crates"), "acts with Draw = filled");
-  EXPECT_EQ(text_of("sample-pattern", {"renderer=rasterizer"}, "cgfs/shadows"), "acts with Renderer = ray tracer");
-  EXPECT_EQ(text_of("adaptive-threshold", {}, "cgfs/shadows"), "acts with Samples per pixel = 4, Adaptive sampling on");
+            "needs Shading = Phong");
+  EXPECT_EQ(text_of("specular", {"renderer=rasterizer", "draw=wireframe"}, "cgfs/crates"), "needs Draw = filled");
+  EXPECT_EQ(text_of("sample-pattern", {"renderer=rasterizer"}, "cgfs/shadows"), "needs Renderer = ray tracer");
+  EXPECT_EQ(text_of("adaptive-threshold", {}, "cgfs/shadows"), "needs Samples per pixel = 4, Adaptive sampling on");
   EXPECT_EQ(text_of("shadow-epsilon", {"renderer=rasterizer"}, "cgfs/shadows"),
-            "acts with Renderer = ray tracer, Self-hit guard = epsilon");
+            "needs Renderer = ray tracer, Self-hit guard = epsilon");
   EXPECT_EQ(text_of("texture-filter", {}, "cgfs/spheres"), "the scene has no texture");
   EXPECT_EQ(text_of("shading", {"renderer=rasterizer"}, "cgfs/shading"), "");
 }
@@ -174,7 +174,7 @@ TEST(Waking, FillRuleAndSubPixelBitsRestWhileAllIsFilledByRows) {
   for (const char* key : {"fill-rule", "subpixel-bits"}) {
     const Option& option = *find_option(key);
     EXPECT_EQ(text_of(inactive_reason(option, rows, canvas)), "needs canvas-fill = edge-functions") << key;
-    EXPECT_EQ(waking_text(waking_of(option, rows, canvas)), "acts with Fill of canvas shapes = edge functions") << key;
+    EXPECT_EQ(waking_text(waking_of(option, rows, canvas)), "needs Fill of canvas shapes = edge functions") << key;
     EXPECT_FALSE(inactive_reason(option, edges, canvas)) << key;
     EXPECT_FALSE(inactive_reason(option, rows, with_models)) << key;
     EXPECT_FALSE(inactive_reason(option, rows, lines_alone)) << key;

@@ -13,9 +13,7 @@ void fact(const char* name, const std::string& value) {
   ImGui::TextUnformatted(name);
   ImGui::PopStyleColor();
   ImGui::SameLine(px(150));
-  ImGui::PushTextWrapPos(0);
-  value_text(name, value);
-  ImGui::PopTextWrapPos();
+  value_paragraph(name, value);
 }
 
 }  // namespace

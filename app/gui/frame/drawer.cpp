@@ -9,14 +9,6 @@
 #include "gui/widgets/tab_row.h"
 
 namespace ps::gui {
-
-std::string tab_label(const Panel& tool) {
-  std::string label(tool.facts.heading);
-  for (std::size_t i = 1; i < label.size(); ++i)
-    label[i] = static_cast<char>(std::tolower(static_cast<unsigned char>(label[i])));
-  return label;
-}
-
 namespace {
 
 struct GroupRow {
@@ -59,18 +51,16 @@ std::string_view first_tool(const PanelList& panels, const DrawerState& state, T
 
 /// The tools of a group, in the line of the groups where there is room.
 void tool_tabs(Session& session, const std::vector<const Panel*>& tools, const Panel& open) {
-  std::vector<std::string> labels;
-  labels.reserve(tools.size());
-  for (const Panel* tool : tools) labels.push_back(tab_label(*tool));
   std::vector<Choice> tabs;
   std::vector<std::string_view> brief;
   int index = 0;
   float width = 0;
   for (std::size_t i = 0; i < tools.size(); ++i) {
     if (tools[i] == &open) index = static_cast<int>(i);
-    tabs.push_back({tools[i]->facts.name, labels[i], tools[i]->facts.help});
-    brief.push_back(tools[i]->facts.brief);
-    width += text_width(labels[i]) + px(22);
+    const PanelFacts& facts = tools[i]->facts;
+    tabs.push_back({facts.name, facts.heading, facts.help});
+    brief.push_back(facts.brief);
+    width += text_width(facts.heading) + px(22);
   }
   same_line_if_room(width + button_width("↓") + px(16), px(24));
   if (tab_row(region_names::bottom, tabs, brief, index)) show_panel(session, tabs[static_cast<std::size_t>(index)].key);

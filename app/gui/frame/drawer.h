@@ -18,9 +18,6 @@ struct DrawerState {
 /// The tabs of the drawer: four groups, and beside them the tools of the open one. They act on the document.
 void drawer_tabs(Session& session, const PanelList& panels, DrawerState& state);
 
-/// A tool's name as tabs have it, with a capital at its beginning alone: "Microscope".
-std::string tab_label(const Panel& tool);
-
 /// A key for each group, which opens it, and pressed again its next tool.
 void add_drawer_actions(Actions& actions, Session& session, const PanelList& panels, DrawerState& state);
 

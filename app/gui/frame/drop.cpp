@@ -26,9 +26,9 @@ void take_dropped_file(Session& session, const PicturesState& pictures, DroppedP
                        const std::string& path, WindowPoint at) {
   if (!session.has_scene() || !is_picture_file(path)) return session.open(path);
   try {
-    if (const auto link = permalink_in_file(path)) return session.open_permalink(*link);
-  } catch (const InputError& error) {
-    return session.say(Message::Kind::error, error.what());
+    if (permalink_in_file(path)) return session.open(path);
+  } catch (const InputError&) {
+    return session.open(path);  // says what is wrong with it
   }
   dropped.ask(path, object_at(session, pictures, {at.x, at.y}));
 }

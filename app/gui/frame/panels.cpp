@@ -33,10 +33,10 @@ Panels::Panels(const PanelHost& host)
   add<ListingPanel>(lessons.state.shelf, lessons.state.questions);
   all_.emplace_back(vertex);
   add<ChartTab>(folder_);
-  add<StabilityTab>(folder_);
   add<NeedsTab>(folder_);
   add<WhyTab>();
   add<TimingsTab>();
+  add<StabilityTab>(folder_);
   add<UnsafeLines>(pictures);
   all_.emplace_back(about);
   add<SceneGallery>();

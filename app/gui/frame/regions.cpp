@@ -32,8 +32,9 @@ float folded_height() { return ImGui::GetFrameHeight() + px(4); }
 // Below it the list of options would have no line of its own.
 constexpr double least_options_height = 280;
 
-// Between a lesson's text and the pictures, besides the margins that both have.
-constexpr double text_margin = 12, narrow_text = 400, text_overlap = 8;  // a narrow text needs them for its lines
+// Between a lesson's text and the pictures, besides the margins that both have. A text of the least width needs these
+// for its lines.
+constexpr double text_margin = 12, text_overlap = 8, least_column = 340;
 
 // With less width a tool's controls have a line of their own below the list of tools.
 constexpr double least_line = 560;
@@ -157,7 +158,7 @@ void Regions::question(bool pending) {
 void Regions::lesson_text(const Area& area) {
   const Lesson* lesson = lessons_.shelf.open();
   if (!lesson) {
-    begin_region(session_, region_names::lesson, area, "LESSONS");
+    begin_region(session_, region_names::lesson, area, "Lessons");
     if (lesson_list(session_, lessons_.read)) my_.picker.show();
     ImGui::EndChild();
     return;
@@ -168,7 +169,7 @@ void Regions::lesson_text(const Area& area) {
 /// The text of the open lesson, whose title may be shown elsewhere.
 void Regions::titled_text(const Area& area, const std::string& title) {
   const float width = std::min(area.width(), reading_width());
-  const float margin = width < px(narrow_text) ? -px(text_overlap) : px(text_margin);
+  const float margin = std::clamp(width - px(least_column + text_overlap), -px(text_overlap), px(text_margin));
   const Area text{area.min, {area.min.x + width - margin, area.max.y}};
   ask_in_text();
   begin_region(session_, region_names::lesson, text, title);
@@ -180,10 +181,9 @@ void Regions::titled_text(const Area& area, const std::string& title) {
 /// window.
 bool Regions::column_head() {
   LessonColumn& column = lessons_.column;
-  const std::string tool = tab_label(staged());
   const std::string text_help = with_key("What the step says.", "text-or-tool"),
                     tool_help = with_key("The tool that the step is about.", "text-or-tool");
-  const std::array tabs{Choice{"text", "Text", text_help}, Choice{"tool", tool, tool_help}};
+  const std::array tabs{Choice{"text", "Text", text_help}, Choice{"tool", staged().facts.heading, tool_help}};
   int index = column.shows == ColumnShows::text ? 0 : 1;
   if (tab_row("column", tabs, index)) column.shows = index == 0 ? ColumnShows::text : ColumnShows::tool;
   ImGui::SameLine(0, 0);
@@ -268,7 +268,7 @@ bool Regions::tool(Panel& panel, const Context& context) {
   if (in_line) ImGui::SameLine(0, px(12));
   bool asks = false;
   if (panel.facts.answers == Answers::yes && my_.pixel.asks())
-    ImGui::TextWrapped("The story is shown after your answer to the step's question.");
+    show_paragraph(story_after_answer);
   else
     asks = panel.draw({.filled = context.filled, .headed = context.headed, .in_line = in_line});
   ImGui::EndChild();
@@ -284,8 +284,8 @@ void Regions::fill_with_stage() {
 
 /// The tool of the stage, from a list. `shown`: not empty: is written in place of its name.
 void Regions::choose_stage(float width, std::string_view shown) {
-  std::vector<Choice> tools{{"verdict", "VERDICT", "What the story of the picked pixel ends with, in one line."},
-                            {story_names::one, "STORY", "The story of the picked pixel."}};
+  std::vector<Choice> tools{{"verdict", "Verdict", "What the story of the picked pixel ends with, in one line."},
+                            {story_names::one, "Story", "The story of the picked pixel."}};
   const std::string& stage = session_.document().layout.stage;
   for (const Panel& each : panels_)
     if (each.facts.place == PanelPlace::below) tools.push_back({each.facts.name, each.facts.heading, each.facts.help});
@@ -426,7 +426,7 @@ void Regions::study(const Area& area) {
 Area Regions::first_look(const Area& area) {
   if (!offers_first_look_ || !session_.document().lesson.empty()) return area;
   const float top = area.max.y - first_look_height(area.width() - 2 * px(region_padding));
-  begin_region(session_, "first-look", {{area.min.x, top}, area.max}, "NEW HERE?");
+  begin_region(session_, "first-look", {{area.min.x, top}, area.max}, "New here?");
   const FirstLookAnswer answer = first_look_offer();
   ImGui::EndChild();
   answered_ = answer != FirstLookAnswer::none;
@@ -465,7 +465,7 @@ void Regions::right(const Area& column, bool open) {
   };
   if (!open) {
     ImGui::SetCursorScreenPos({column.min.x, column.min.y + px(6)});
-    if (button("pixel/open", "‹", Emphasis::quiet, {.tooltip = "STORY: how the picked pixel got its colour."}))
+    if (button("pixel/open", "‹", Emphasis::quiet, {.tooltip = "Story: how the picked pixel got its colour."}))
       show(true);
     return;
   }
@@ -475,7 +475,7 @@ void Regions::right(const Area& column, bool open) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (!filled) {
     ImGui::SetCursorScreenPos({area.max.x - button_width("›") - px(6), area.min.y + px(2)});
-    if (button("pixel/fold", "›", Emphasis::quiet, {.tooltip = "Folds STORY away; ‹ opens it again."})) show(false);
+    if (button("pixel/fold", "›", Emphasis::quiet, {.tooltip = "Folds the story away; ‹ opens it again."})) show(false);
     ImGui::SetCursorScreenPos(at);
   }
   region_heading(session_, region_names::right, std::string(panel(region_names::right).facts.heading),

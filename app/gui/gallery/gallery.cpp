@@ -24,8 +24,8 @@ constexpr std::array few{Choice{"first", "first", "The first of three."}, Choice
 constexpr std::array many{Choice{"one", "a rather long name", ""},  Choice{"two", "another long name", ""},
                           Choice{"three", "a third long name", ""}, Choice{"four", "a fourth long name", ""},
                           Choice{"five", "a fifth long name", ""},  Choice{"six", "a sixth long name", ""}};
-constexpr std::array tabs{Choice{"options", "OPTIONS", ""}, Choice{"table", "TABLE", ""}, Choice{"text", "TEXT", ""},
-                          Choice{"maths", "MATHS", ""}};
+constexpr std::array tabs{Choice{"options", "Options", ""}, Choice{"table", "Table", ""}, Choice{"text", "Text", ""},
+                          Choice{"maths", "Maths", ""}};
 
 constexpr const char* sample_text =
     "A point is in shadow if an object blocks the light. The shadow ray starts at the point and goes to the light.\n\n"

@@ -16,6 +16,14 @@ constexpr const char* recent_key = "session/recent";
 
 }  // namespace
 
+Loaded failed_load(const std::string& name, const std::exception& error) {
+  const auto* input = dynamic_cast<const InputError*>(&error);
+  return {.name = name,
+          .document = {},
+          .error = failure_text(error) + foreign_text(quoted_lines(error)),
+          .error_file = input ? input->place().file : ""};
+}
+
 Loader::Loader(SessionHost host) : host_(std::move(host)), watch_(host_.wake) {
   if (!host_.remembered) return;
   std::istringstream lines(host_.remembered(recent_key));
@@ -33,8 +41,8 @@ void Loader::load(const std::string& name, std::function<Document()> make, LoadR
     try {
       loaded.document = make();
     } catch (const std::exception& error) {
-      loaded.error = failure_text(error) + foreign_text(quoted_lines(error));
-      if (const auto* input = dynamic_cast<const InputError*>(&error)) loaded.error_file = input->place().file;
+      loaded = failed_load(name, error);
+      loaded.reason = reason;
     }
     progress.check();
     {

@@ -1,4 +1,5 @@
 #pragma once
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -26,6 +27,9 @@ struct Loaded {
   std::string error_file;  ///< the one in which the error is, if it is in one
   LoadReason reason = LoadReason::open;
 };
+
+/// The file of that name could not be read, and why.
+Loaded failed_load(const std::string& name, const std::exception& error);
 
 /// Reads documents in the background, watches their files, and keeps the list of the recent ones.
 class Loader {

@@ -15,6 +15,11 @@
 #include "scene/share_content.h"
 
 namespace ps::gui {
+namespace {
+
+constexpr const char* text_on_clipboard = "permalink";  // the name of a document that comes from no file
+
+}  // namespace
 
 void Session::update() {
   if (auto loaded = loader_.take()) take_loaded(std::move(*loaded));
@@ -50,10 +55,9 @@ void Session::open(const std::string& path_or_name) {
     return;
   }
   try {
-    if (const auto link = permalink_in_file(path_or_name)) return open_permalink(*link);
+    if (const auto link = permalink_in_file(path_or_name)) return open_permalink(*link, path_or_name);
   } catch (const InputError& error) {
-    say(Message::Kind::error, error.what());
-    return;
+    return take_loaded(failed_load(path_or_name, error));
   }
   if (is_picture_file(path_or_name)) return open_picture_b(path_or_name);
   loader_.load(
@@ -64,9 +68,9 @@ void Session::open(const std::string& path_or_name) {
       LoadReason::open);
 }
 
-void Session::open_permalink(const std::string& text) {
+void Session::open_permalink(const std::string& text, const std::string& file) {
   loader_.load(
-      "permalink", [text] { return linked_document(text); }, LoadReason::permalink);
+      file.empty() ? text_on_clipboard : file, [text] { return linked_document(text); }, LoadReason::permalink);
 }
 
 std::string Session::failed_scene() const {
@@ -109,21 +113,22 @@ void Session::watch_files() {
   std::vector<std::filesystem::path> files;
   if (has_scene())
     for (const auto& file : files_of(document().base)) files.push_back(file_on_disk(file));
-  if (!failed_scene().empty()) files.insert(files.end(), failed_files_.begin(), failed_files_.end());
+  if (!failed_scene().empty())
+    for (const auto& file : failed_files_) files.push_back(file_on_disk(file));
   loader_.watch(files);
 }
 
 void Session::take_loaded(Loaded loaded) {
   if (loaded.document) return take(std::move(*loaded.document), loaded.reason);
-  // A scene that could not be opened is meant by a reload, and opened once it is mended, until its message goes.
-  const bool is_scene = loaded.reason != LoadReason::permalink;
-  if (is_scene)
+  // A file that could not be opened is meant by a reload, and opened once it is mended, until its message goes.
+  const bool is_file = loaded.name != text_on_clipboard;
+  if (is_file)
     messages().remove(
         [&](const Message& message) { return message.about == Message::About::scene && message.file == loaded.name; });
   std::string text = loaded.error;
   if (has_scene()) text.insert(std::min(text.find('\n'), text.size()), " (the previous scene stays open)");
-  messages().say({Message::Kind::error, text, Message::About::scene, is_scene ? loaded.name : ""});
-  if (!is_scene) return;
+  messages().say({Message::Kind::error, text, Message::About::scene, is_file ? loaded.name : ""});
+  if (!is_file) return;
   failed_files_ = {loaded.name};
   if (!loaded.error_file.empty()) failed_files_.emplace_back(loaded.error_file);
   watch_files();

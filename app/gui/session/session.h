@@ -53,7 +53,8 @@ class Session final : public DocumentStore {
   void start(Document document, const std::string& drag = {});
   /// Loads in the background; the scene that is open stays until it has come, and for good if it cannot be read.
   void open(const std::string& path_or_name);
-  void open_permalink(const std::string& text);
+  /// `file`: where it was read, if it was.
+  void open_permalink(const std::string& text, const std::string& file = {});
   /// Reads the open scene again, or one that could not be opened, as long as its message is there.
   void reload();
 
@@ -69,7 +70,7 @@ class Session final : public DocumentStore {
   void settle(const Document& before, Document& document) override { events_.settle(before, document); }
   void step_taken() override;
   void take_loaded(Loaded loaded);
-  /// The scene that could not be opened and whose message is still there; empty where there is none.
+  /// The file that could not be opened and whose message is still there; empty where there is none.
   std::string failed_scene() const;
   void reload_scene();
   /// Reads what was written anew: the open scene, or the one that failed.
@@ -87,9 +88,9 @@ class Session final : public DocumentStore {
   PictureWork work_;
   SelectedEvents events_;
   std::shared_ptr<const PictureFile> picture_b_;
-  std::string watched_;                              // name of the scene whose files are watched
-  std::vector<std::filesystem::path> failed_files_;  // the scene that could not be opened, and where its error is
-  std::optional<std::uint64_t> requested_;           // revision that work was last asked for
+  std::string watched_;                     // name of the scene whose files are watched
+  std::vector<std::string> failed_files_;   // the file that could not be opened, and where its error is
+  std::optional<std::uint64_t> requested_;  // revision that work was last asked for
 };
 
 /// Whether a file is a picture, by its name: these are never scenes.

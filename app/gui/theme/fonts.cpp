@@ -2,6 +2,7 @@
 #include <imgui_freetype.h>
 #include FT_FREETYPE_H
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -127,7 +128,9 @@ void Theme::load_fonts() {
   atlas.TexDesiredWidth = scale_ > 1.5 ? 4096 : 2048;
   for (int i = 0; i < IM_ARRAYSIZE(fonts_); ++i) {
     const FaceFile face = face_file(static_cast<Face>(i));
-    const double em = type_size(static_cast<Face>(i)) * scale_;
+    // Small print would be too small behind a projector.
+    const double least = first ? 0 : type_size(Face::body);
+    const double em = std::max(type_size(static_cast<Face>(i)), least) * scale_;
     fonts_[i] = load(font_file(face.file).string(), em, face.ranges, false);
     if (!fonts_[i]) {
       ImFontConfig config;

@@ -56,7 +56,7 @@ bool fill_button(bool filled, std::string_view help) {
 void svg_button(const std::function<void()>& save) {
   if (!save) return;
   same_line_if_room(button_width("Save SVG…"), px(2));
-  if (button("svg", "Save SVG…", Emphasis::quiet, {.tooltip = "Saves this view as a drawing."})) save();
+  if (button("svg", "Save SVG…", Emphasis::plain, {.tooltip = "Saves this view as a drawing."})) save();
 }
 
 bool toggle(std::string_view name, std::string_view label, bool& value, const ControlStyle& style) {

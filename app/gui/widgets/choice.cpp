@@ -71,11 +71,8 @@ bool drop_down(std::string_view name, std::span<const Choice> choices, int& inde
   const float height = std::max(look.height, ImGui::GetFrameHeight());
   const float arrow = px(16);
   const auto chosen = static_cast<std::size_t>(std::clamp<int>(index, 0, static_cast<int>(choices.size()) - 1));
-  const ButtonLook field{.fill = style.quiet ? p.panel : p.field,
-                         .edge = p.line,
-                         .text = choice_colour(style, chosen),
-                         .height = height,
-                         .align = 0};
+  const ButtonLook field{
+      .fill = p.field, .edge = p.line, .text = choice_colour(style, chosen), .height = height, .align = 0};
   bool wanted = false;
   {
     const FontScope font(look.face);

@@ -112,7 +112,7 @@ ImVec4 state_colour(const ImVec4& idle, const ControlStyle& style) {
   if (!style.disabled.empty()) return palette().panel;
   if (ImGui::IsItemActive()) return palette().field_active;
   if (ImGui::IsItemHovered()) return palette().field_hover;
-  return style.quiet ? palette().panel : idle;
+  return idle;
 }
 
 void outline(ImVec2 min, ImVec2 max, const ImVec4& colour) {

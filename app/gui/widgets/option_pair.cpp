@@ -50,6 +50,24 @@ std::vector<std::string_view> words_of(const Option& option, const std::array<Se
   return {chosen(option, settings[0]).label, chosen(option, settings[1]).label};
 }
 
+/// "= Phong"; the sign alone where there is no room for the value.
+std::string equal_words(const Option& option, const Settings& settings, float width, Face face) {
+  std::string words = "= ";
+  switch (option.kind) {
+  case OptionKind::boolean:
+    return words + (option.get(settings) != 0 ? "on" : "off");
+  case OptionKind::choice:
+    words += chosen(option, settings).label;
+    break;
+  case OptionKind::integer:
+  case OptionKind::real:
+    words += short_number(option.get(settings));
+    face = Face::mono;
+    break;
+  }
+  return text_width(words, face) <= drop_down_text_width(width) ? words : "=";
+}
+
 /// One picture's value; the words of a choice in lines.
 Edit cell(const Option& option, Settings& settings, const ControlStyle& style, const CellForm& form) {
   ControlStyle own = style;
@@ -139,8 +157,8 @@ std::array<OptionRowResult, 2> option_pair(const Option& option, std::array<Sett
     };
     const std::string disabled = text_of(inactive_reason(option, settings[i], traits));
     style.disabled = disabled;
-    style.quiet = i != picked;
-    if (style.quiet && !differ) style.shown = "=";
+    std::string same;
+    if (i != picked && !differ) style.shown = same = equal_words(option, settings[i], width, form.face);
     ImGui::SetCursorScreenPos(at);
     const Edit edit = cell(option, settings[i], style, form);
     if (edit.changed || edit.finished) results[i].edit = edit;

@@ -12,9 +12,9 @@ struct OptionPairContext {
 };
 
 /// A row of the table of both pictures' options: the label, and below it (beside it where there is room) the values of
-/// A and of B in full words. Where they are equal the picture that is not picked shows "=". A row whose values differ
-/// is marked. A side that cannot act is grey, and a line says what it needs, with a button that sets it. Controls are
-/// named a/KEY and b/KEY.
+/// A and of B in full words. Where they are equal the picture that is not picked shows "= Phong". A row whose values
+/// differ is marked. A side that cannot act is grey, and a line says what it needs, with a button that sets it.
+/// Controls are named a/KEY and b/KEY.
 std::array<OptionRowResult, 2> option_pair(const Option& option, std::array<Settings, 2>& settings,
                                            const SceneTraits& traits, const OptionPairContext& context);
 

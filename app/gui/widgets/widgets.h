@@ -26,7 +26,6 @@ struct ControlStyle {
   /// Why a choice cannot act now, or nothing, by its place. Of a list that is closed only the chosen one is asked.
   std::function<std::string(std::size_t)> idle = {};
   std::string_view shown = {};  ///< not empty: written in place of the value
-  bool quiet = false;           ///< without a field behind it: what comes second in its row
 };
 
 // --- text.cpp ---

@@ -66,8 +66,8 @@ const ShownChannelRow overdraw_channel{
     .unit = "fragments",
     .text = [](const Frame& frame, const Settings&,
                Vec2i pixel) { return fmt::format("{}", frame.overdraw.at(pixel.x, pixel.y)); },
-    .heat = {
-        .value = [](const Frame& frame, int x, int y) -> std::optional<double> { return frame.overdraw.at(x, y); }}};
+    .heat = {.value = [](const Frame& frame, int x, int y) -> std::optional<double> { return frame.overdraw.at(x, y); },
+             .whole = true}};
 
 const ShownChannelRow tests_channel{
     .channel = ShownChannel::tests,
@@ -78,7 +78,8 @@ const ShownChannelRow tests_channel{
     .unit = "tests",
     .text = [](const Frame& frame, const Settings&,
                Vec2i pixel) { return fmt::format("{}", frame.tests.at(pixel.x, pixel.y)); },
-    .heat = {.value = [](const Frame& frame, int x, int y) -> std::optional<double> { return frame.tests.at(x, y); }}};
+    .heat = {.value = [](const Frame& frame, int x, int y) -> std::optional<double> { return frame.tests.at(x, y); },
+             .whole = true}};
 
 const ShownChannelRow mip_channel{.channel = ShownChannel::mip,
                                   .key = "mip",
@@ -106,8 +107,8 @@ const ShownChannelRow samples_channel{
     .unit = "samples",
     .text = [](const Frame& frame, const Settings&,
                Vec2i pixel) { return fmt::format("{}", frame.samples.at(pixel.x, pixel.y)); },
-    .heat = {
-        .value = [](const Frame& frame, int x, int y) -> std::optional<double> { return frame.samples.at(x, y); }}};
+    .heat = {.value = [](const Frame& frame, int x, int y) -> std::optional<double> { return frame.samples.at(x, y); },
+             .whole = true}};
 
 const ShownChannelRow shadow_channel{.channel = ShownChannel::shadow,
                                      .key = "shadow",
@@ -116,7 +117,7 @@ const ShownChannelRow shadow_channel{.channel = ShownChannel::shadow,
                                      .needs = Channel::shadow | Channel::ids,
                                      .unit = "lights",
                                      .text = blocked_text,
-                                     .heat = {.value = blocked_lights, .without_value = "nothing seen"}};
+                                     .heat = {.value = blocked_lights, .whole = true, .without_value = "nothing seen"}};
 
 const ShownChannelRow shadow_map_channel{
     .channel = ShownChannel::shadow_map,

@@ -68,7 +68,7 @@ enum class SetUp {
   illustration,  ///< it is our own
   reproduction   ///< another measurement describes it completely, at least for some of the series
 };
-/// In words, for those who read the results.
+/// A sentence for those who read the results; empty: none is needed.
 std::string_view set_up_text(SetUp set_up);
 
 /// What an experiment is about; the experiments are listed in this order.

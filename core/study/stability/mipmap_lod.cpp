@@ -149,8 +149,24 @@ std::vector<StabilityRow> measure_lod(const StabilityRun& run) {
   return rows;
 }
 
+/// The floor that is measured, below a sky.
+constexpr const char* floor_scene = R"(viewport_size = 1 x 1
+projection_plane_d = 1
+background = (140, 170, 210)
+texture { name = squares  generator = checker  size = 64 }
+model {
+    name = floor
+    texture = squares
+    vertices = [(-60, -1, 0.9), (-60, -1, 100), (60, -1, 100), (60, -1, 0.9)]
+    uvs = [(-60, 0.9), (-60, 100), (60, 100), (60, 0.9)]
+    triangles { 0 = { vertices = [0, 1, 2] uvs = [0, 1, 2] }  1 = { vertices = [0, 2, 3] uvs = [0, 2, 3] } }
+}
+instance { model = floor }
+light { type = ambient  intensity = 1 }
+)";
+
 StabilityPicture picture_lod(double bias) {
-  StabilityPicture picture{.scene = "cgfs/crates"};
+  StabilityPicture picture{.scene = floor_scene};
   picture.robust.renderer = renderer_for(PictureWay::fragments);
   picture.robust.anisotropy = 16;
   picture.naive = picture.robust;

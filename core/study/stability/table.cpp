@@ -89,9 +89,9 @@ std::optional<std::string> why_not_measured(const StabilityExperiment& experimen
 std::string_view set_up_text(SetUp set_up) {
   switch (set_up) {
   case SetUp::illustration:
-    return "an illustration of our own";
+    return "The set-up is an illustration of our own.";
   case SetUp::reproduction:
-    return "reproduces another measurement";
+    break;
   }
   return "";
 }

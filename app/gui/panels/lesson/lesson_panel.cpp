@@ -324,7 +324,7 @@ void buttons(Session& session, LessonReading& state, const Lesson& lesson, int i
       last ? "The next lesson." : "The next page, then the next step (Page Down; Enter: always the step).";
   if (button("next", narrow ? "›" : "Next", Emphasis::primary, {.tooltip = on})) by = 1;
   ImGui::SameLine();
-  if (button("again", narrow ? "↺" : "Again", Emphasis::quiet, {.tooltip = "Puts this step's settings back."})) {
+  if (button("again", narrow ? "↺" : "Again", Emphasis::plain, {.tooltip = "Puts this step's settings back."})) {
     go_to_step(session, lesson.name, index);
     state.column.step = -1;  // begins with its text
   }
@@ -360,7 +360,7 @@ LessonReading::LessonReading(const PanelHost& host)
 LessonPanel::LessonPanel(const PanelHost& host)
     : Panel(host, {.name = region_names::lesson,
                    .place = PanelPlace::left,
-                   .heading = "LESSON",
+                   .heading = "Lesson",
                    .brief = "Lesson",
                    .command = "Lesson",
                    .help = "The text of a lesson's step."}),

@@ -127,15 +127,14 @@ bool toolbar(Session& session, MicroscopePanelState& state, const PanelHost& hos
   value_text("point", fmt::format("({:.3f}, {:.3f})", point.x, point.y), {Face::mono});
   tooltip("The sample point, in pixels from the pixel's top left corner. Drag it in the drawing.");
   same_line_if_room(button_width("To the sample"));
-  if (button("reset", "To the sample", Emphasis::quiet,
+  if (button("reset", "To the sample", Emphasis::plain,
              {.tooltip = "Moves the point back to the pixel's sample.",
               .disabled = session.document().story.sample ? "" : "The point is at the sample."}))
     move_point(session, {});
-  same_line_if_room(button_width("Save SVG…"), px(2));
-  if (button("svg", "Save SVG…", Emphasis::quiet, {.tooltip = "Saves this view as a drawing."}))
+  svg_button([&] {
     host.send(SaveDrawing{"Save the microscope's view", "pixel.svg", [&state] { return microscope_drawing(state); }});
-  same_line_if_room(button_width("Fill"), px(2));
-  return button_on_off("fill", "Fill", filled, {.tooltip = "Shows this view in the whole window (Esc)."});
+  });
+  return fill_button(filled, "Shows this view in the whole window (Esc).");
 }
 
 /// How many samples see which object: a summary for pixels with many samples.
@@ -290,7 +289,7 @@ MicroscopePanelState::MicroscopePanelState(std::function<void()> wake)
 MicroscopePanel::MicroscopePanel(const PanelHost& host)
     : Panel(host, {.name = "microscope",
                    .answers = Answers::yes,
-                   .heading = "MICROSCOPE",
+                   .heading = "Microscope",
                    .brief = "Micro",
                    .command = "Microscope: the pixel at panel size",
                    .help = "The picked pixel at panel size: edges with their fill rule, samples, texels."}),

@@ -58,7 +58,7 @@ std::optional<std::size_t> step_wanted_by_script(std::size_t count) {
 HistoryPanel::HistoryPanel(const PanelHost& host)
     : Panel(host, {.name = "history",
                    .place = PanelPlace::left,
-                   .heading = "HISTORY",
+                   .heading = "History",
                    .brief = "History",
                    .command = "History: every step with its pictures",
                    .help = "Every step with its pictures; a click goes there."}),

@@ -207,7 +207,7 @@ void draw_group(const PanelHost& host, OptionsPanelState& state, const GroupRows
 OptionsPanel::OptionsPanel(const PanelHost& host, ObjectSelection& selection)
     : Panel(host, {.name = region_names::left,
                    .place = PanelPlace::left,
-                   .heading = "OPTIONS",
+                   .heading = "Options",
                    .brief = "Options",
                    .command = "Options",
                    .help = "All options of A and of B."}),

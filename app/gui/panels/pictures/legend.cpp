@@ -10,12 +10,28 @@ namespace ps::gui {
 namespace {
 
 constexpr int heat_steps = 48;
+constexpr double most_counts = 4;  // as colours of their own; a longer range is a bar
 
 ImU32 colour_of(Rgb8 c) { return IM_COL32(c.r, c.g, c.b, 255); }
 
+/// Few whole numbers as a colour each, in place of a bar between them.
+ChannelLegend counted(ChannelLegend legend) {
+  const double length = legend.high - legend.low;
+  if (!legend.heat || !legend.whole || length > most_counts || length != std::floor(length)) return legend;
+  legend.heat = false;
+  for (double count = legend.high; count >= legend.low; --count) {
+    std::string meaning = short_number(count);
+    if (count == legend.high && !legend.unit.empty()) meaning += " " + legend.unit;
+    legend.entries.insert(legend.entries.begin(),
+                          {heat_colour((count - legend.low) / std::max(length, 1.0)), std::move(meaning)});
+  }
+  return legend;
+}
+
 }  // namespace
 
-std::optional<LegendScale> draw_legend(ImDrawList& list, const ChannelLegend& legend, const Area& area) {
+std::optional<LegendScale> draw_legend(ImDrawList& list, const ChannelLegend& of, const Area& area) {
+  const ChannelLegend legend = counted(of);
   const float frame = ImGui::GetFrameHeight();  // of the controls, which are in another face
   const FontScope font(Face::small);
   const float line = px(20), margin = px(8), swatch = px(14);
@@ -34,7 +50,7 @@ std::optional<LegendScale> draw_legend(ImDrawList& list, const ChannelLegend& le
   if (max.y > area.max.y) return {};
 
   const ImVec4& text = palette().text;
-  list.AddRectFilled(min, max, colour_u32(palette().panel, 0.92), px(4));
+  list.AddRectFilled(min, max, colour_u32(palette().panel), px(4));
   list.AddRect(min, max, colour_u32(palette().line_strong), px(4));
   ImVec2 at{min.x + margin, min.y + margin / 2};
   draw_lines(at, legend.title, text);

@@ -137,8 +137,8 @@ void draw_loupe(ImDrawList& list, const ShownPicture& picture, Vec2i pixel, cons
   list.PopClipRect();
 }
 
-void draw_notice(ImDrawList& list, const Area& area, const std::string& text) {
-  ImFont* font = theme().font(Face::body);
+void draw_notice(ImDrawList& list, const Area& area, const std::string& text, Face face) {
+  ImFont* font = theme().font(face);
   const float size = font->FontSize, margin = px(12);
   const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, area.width() * 0.9f, text.c_str());
   const ImVec2 corner{std::round(area.middle().x - extent.x / 2), std::round(area.middle().y - extent.y / 2)};

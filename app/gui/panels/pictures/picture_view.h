@@ -43,6 +43,6 @@ struct LegendScale {
 /// caller, and its place is the answer.
 std::optional<LegendScale> draw_legend(ImDrawList& list, const ChannelLegend& legend, const Area& area);
 /// A message in the middle of an area.
-void draw_notice(ImDrawList& list, const Area& area, const std::string& text);
+void draw_notice(ImDrawList& list, const Area& area, const std::string& text, Face face = Face::body);
 
 }  // namespace ps::gui

@@ -99,10 +99,16 @@ void title(Session& session, PicturesState& state, Side side, const Area& row) {
 }
 
 /// Hides a picture that would answer an open question. `area` is where it is seen.
-void cover_whole(ImDrawList& list, Side side, const Area& area) {
+void cover_whole(ImDrawList& list, Side side, const Area& area, PictureCaptions captions) {
   list.AddRectFilled(area.min, area.max, colour_u32(palette().panel));
-  draw_notice(list, area, fmt::format("{} is shown after your answer.", letter_of(side)));
+  draw_notice(list, area, fmt::format("{} is shown after your answer.", letter_of(side)),
+              captions == PictureCaptions::projected ? Face::caption : Face::body);
   controls().record(side == Side::a ? "view/a/covered" : "view/b/covered", area.min, area.max, "covered");
+}
+
+Area overlap(const Area& a, const Area& b) {
+  return {{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)},
+          {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
 }
 
 /// The picture of one side in its area, with what lies over it.
@@ -143,7 +149,8 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
     if (state.drawn.covers.hidden[index_of(which)]) {
       const ImVec2 low = list.GetClipRectMin(), high = list.GetClipRectMax();
       return cover_whole(list, which,
-                         {{std::max(low.x, area.min.x), area.min.y}, {std::min(high.x, area.max.x), area.max.y}});
+                         {{std::max(low.x, area.min.x), area.min.y}, {std::min(high.x, area.max.x), area.max.y}},
+                         state.drawn.captions);
     }
     if (!state.drawn.covers.asked || state.drawn.covers.asked->side != which) return;
     const Vec2i pixel = state.drawn.covers.asked->pixel;
@@ -187,7 +194,8 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
     ChannelLegend legend = session.renderer(shown_side).legend();
     for (auto& entry : legend.entries)
       if (entry.object >= 0) entry.meaning = object_name(session.scene(), entry.object);
-    if (const auto scale = draw_legend(list, legend, area)) legend_range(session, state, shown_side, legend, *scale);
+    const Area seen = overlap(state.drawn.transform.picture_area(state.pictures[index].size(), area), area);
+    if (const auto scale = draw_legend(list, legend, seen)) legend_range(session, state, shown_side, legend, *scale);
   }
   const auto handles_in = [&](Side which, const Area& clip) {
     if (state.drawn.covers.hidden[index_of(which)]) return;
@@ -236,20 +244,27 @@ Framed framed(const Area& area, PictureCaptions captions, int columns = 1) {
   return {{area.min, {area.max.x, top}}, {{area.min.x, top}, {area.max.x, bottom}}, {{area.min.x, bottom}, area.max}};
 }
 
-constexpr float least_block = 0.6f;      // of the height that there is: a wide picture keeps room to be zoomed into
-constexpr double narrowest_title = 380;  // at scale 1
+constexpr float least_block = 0.6f;  // of the height that there is: a wide picture keeps room to be zoomed into
+constexpr double narrowest_title = 380, narrow_title = 200;  // at scale 1: with all in one line, and else
 
-/// Title, picture and footer as one block in the middle of what framed() leaves to them, as wide as the picture.
-Framed as_block(Framed in, Vec2i picture_size, PictureFit fit) {
-  const double zoom = fitted_as(fit, picture_size, in.picture).zoom;
+/// Title, picture and footer as one block in the middle of what framed() leaves to them. The lines begin where the
+/// picture does, or as far to the left as `columns` titles need it.
+Framed as_block(Framed in, Vec2i picture_size, const DrawnPictures& drawn, int columns = 1) {
+  if (picture_size.x <= 0) return in;
+  const double zoom = fitted_as(drawn.fit, picture_size, in.picture).zoom;
   const float room = in.picture.height(), width = in.picture.width();
   const float height = std::ceil(static_cast<float>(zoom * picture_size.y));
-  const float spare = std::floor((room - std::clamp(height, room * least_block, std::max(room, 0.f))) / 2);
-  const float title = std::min(std::max(static_cast<float>(zoom * picture_size.x), px(narrowest_title)), width);
-  const float side = std::floor((width - title) / 2);
-  if (picture_size.x <= 0 || spare <= 0) return in;
-  in.title = {{in.title.min.x + side, in.title.min.y + spare}, {in.title.max.x - side, in.title.max.y + spare}};
-  in.footer = {{in.footer.min.x + side, in.footer.min.y - spare}, {in.footer.max.x - side, in.footer.max.y - spare}};
+  const float spare =
+      std::max(std::floor((room - std::clamp(height, room * least_block, std::max(room, 0.f))) / 2), 0.f);
+  const float shown = std::min(static_cast<float>(zoom * picture_size.x), width);
+  const auto titles = static_cast<float>(columns);
+  const float wanted = px(narrowest_title) * titles + px(gap) * (titles - 1);
+  const bool in_one_line = drawn.captions == PictureCaptions::full && width >= wanted;  // with the list of channels
+  const float least = std::min(in_one_line ? wanted : px(narrow_title) * titles, width);
+  const float inset = std::floor(std::min((width - shown) / 2, width - least));
+  const float line = std::max(shown, std::min(wanted, width - inset)), left = in.picture.min.x + inset;
+  in.title = {{left, in.title.min.y + spare}, {left + line, in.title.max.y + spare}};
+  in.footer = {{left, in.footer.min.y - spare}, {left + line, in.footer.max.y - spare}};
   in.picture.min.y += spare;
   in.picture.max.y -= spare;
   return in;
@@ -315,7 +330,7 @@ void below(Session& session, PicturesState& state, Side side, const Area& footer
 
 void one_side(Session& session, PicturesState& state, Side side, const Area& area) {
   const auto [title_row, inner, footer] =
-      as_block(framed(area, state.drawn.captions), state.pictures[index_of(side)].size(), state.drawn.fit);
+      as_block(framed(area, state.drawn.captions), state.pictures[index_of(side)].size(), state.drawn);
   state.drawn.transform =
       current_transform(session.document(), state.pictures[index_of(side)].size(), inner, state.drawn.fit);
   const Side shown = state.keys.flip ? other_side(side) : side;
@@ -326,7 +341,7 @@ void one_side(Session& session, PicturesState& state, Side side, const Area& are
 
 void split_view(Session& session, PicturesState& state, const Area& area) {
   const auto [title_row, inner, footer] =
-      as_block(framed(area, state.drawn.captions, 2), state.pictures[0].size(), state.drawn.fit);
+      as_block(framed(area, state.drawn.captions, 2), state.pictures[0].size(), state.drawn, 2);
   state.drawn.transform = current_transform(session.document(), state.pictures[0].size(), inner, state.drawn.fit);
   const Area whole = state.drawn.transform.picture_area(state.pictures[0].size(), inner);
   const float low = std::max(whole.min.x, inner.min.x), high = std::min(whole.max.x, inner.max.x);
@@ -462,7 +477,8 @@ void pictures_panel(Session& session, PicturesState& state, const Area& area, co
         current_transform(session.document(), state.pictures[0].size(), places.picture, state.drawn.fit);
     difference_view(session, state, title, places);
     for (const Side side : both_sides)  // the difference shows both
-      if (state.drawn.covers.hidden[index_of(side)]) cover_whole(*ImGui::GetWindowDrawList(), side, inner);
+      if (state.drawn.covers.hidden[index_of(side)])
+        cover_whole(*ImGui::GetWindowDrawList(), side, inner, state.drawn.captions);
     const float middle = (area.min.x + area.max.x) / 2, space = px(gap) / 2;
     below(session, state, Side::a, {footer.min, {middle - space, footer.max.y}}, "A   ");
     below(session, state, Side::b, {{middle + space, footer.min.y}, footer.max}, "B   ");

@@ -271,7 +271,7 @@ PixelsPanel::PixelsPanel(const PanelHost& host, const PicturesState& pictures)
                    .use = PanelUse::study,
                    .group = ToolGroup::pixels,
                    .height = PanelHeight::tall,
-                   .heading = "PIXELS",
+                   .heading = "Pixels",
                    .brief = "Pixels",
                    .command = "Pixels: the worst ones",
                    .help = "The worst pixels, watched pixels, and the levels of a rectangle."}),

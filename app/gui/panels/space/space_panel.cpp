@@ -79,7 +79,7 @@ void focus(Session& session, const SpacePanelState& state, int event, double asp
 }
 
 void show_popup(Session& session, SpacePanelState& state) {
-  if (button("show", "Show…", Emphasis::quiet, {.tooltip = "What is drawn, and what the lines mean."}))
+  if (button("show", "Show…", Emphasis::plain, {.tooltip = "What is drawn, and what the lines mean."}))
     ImGui::OpenPopup("space-show");
   if (!ImGui::BeginPopup("space-show")) return;
   const auto groups = shown_groups(outside(session));
@@ -130,14 +130,14 @@ bool is_narrow() { return ImGui::GetContentRegionMax().x < px(560); }
 void play_buttons(Session& session, SpacePanelState& state, int selected) {
   const std::string_view none = state.model.steps.empty() ? "No event of this pixel has a place in the scene." : "";
   const bool narrow = is_narrow();
-  if (button("back", narrow ? "‹" : "Back", Emphasis::quiet, {.tooltip = "Previous event (comma)", .disabled = none}))
+  if (button("back", narrow ? "‹" : "Back", Emphasis::plain, {.tooltip = "Previous event (comma)", .disabled = none}))
     step_story(session, state, -1);
   ImGui::SameLine(0, px(2));
   if (button("play", state.play.running ? "Pause" : "Play", Emphasis::plain,
              {.tooltip = "Shows the events one after the other (Space)", .disabled = none, .width = px(62)}))
     play_story(session, state);
   ImGui::SameLine(0, px(2));
-  if (button("forward", narrow ? "›" : "Step", Emphasis::quiet,
+  if (button("forward", narrow ? "›" : "Step", Emphasis::plain,
              {.tooltip = "Next event (full stop)", .disabled = none}))
     step_story(session, state, 1);
   ImGui::SameLine();
@@ -225,17 +225,16 @@ bool toolbar(SpacePanelState& state, const PanelHost& host, int selected, double
   speed_choice(state);
   look_from(session);
   same_line_if_room(button_width("Focus"), px(2));
-  if (button("focus", "Focus", Emphasis::quiet, {.tooltip = "Shows the hit point in the centre, from near by."}))
+  if (button("focus", "Focus", Emphasis::plain, {.tooltip = "Shows the hit point in the centre, from near by."}))
     focus(session, state, selected, aspect);
   same_line_if_room(button_width("Show…"), px(2));
   show_popup(session, state);
   hide_negligible(session);
-  same_line_if_room(button_width("Save SVG…"), px(2));
-  if (button("svg", "Save SVG…", Emphasis::quiet, {.tooltip = "Saves this view as a drawing."}))
+  svg_button([&] {
     host.send(
         SaveDrawing{"Save the view from outside", "space.svg", [&] { return space_drawing(host.session, state); }});
-  same_line_if_room(button_width("Fill"), px(2));
-  return button_on_off("fill", "Fill", filled, {.tooltip = "Shows this view in the whole window (double click; Esc)."});
+  });
+  return fill_button(filled, "Shows this view in the whole window (double click; Esc).");
 }
 
 void move_by_mouse(Session& session, SpacePanelState& state, double aspect) {
@@ -313,7 +312,7 @@ void update_tree(Session& session, SpacePanelState& state) {
 SpacePanel::SpacePanel(const PanelHost& host, const PicturesState& pictures, VertexPanel& vertex)
     : Panel(host, {.name = "space",
                    .answers = Answers::yes,
-                   .heading = "SPACE",
+                   .heading = "Space",
                    .brief = "Space",
                    .command = "Space: the scene from outside",
                    .help = "The scene from outside, with the rays or triangles of the picked pixel."}),

@@ -191,7 +191,7 @@ ListingPanel::ListingPanel(const PanelHost& host, LessonShelf& shelf, LessonQues
     : Panel(host, {.name = "listing",
                    .height = PanelHeight::tall,
                    .answers = Answers::yes,
-                   .heading = "LISTING",
+                   .heading = "Listing",
                    .brief = "Listing",
                    .command = "Listing: a routine with its values",
                    .help = "A lesson's routine, or the shaders, with their values at the picked pixel."}),

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sentence.h"
 #include "document/document_provenance.h"
 #include "engine/screen_names.h"
 #include "frame/display_frame.h"
@@ -48,7 +49,14 @@ void verdict(const PixelStory& story, Side side) {
     value_text(prefix(side) + "/colour", levels);
   }
   tooltip("Red, green and blue as displayed, 0 to 255.");
-  value_paragraph(prefix(side) + "/verdict", story.verdict, {Face::heading});
+  // The winner is the headline, and the rest is text.
+  const std::string& text = story.verdict;
+  const std::size_t end = text.ends_with(')') ? text.find(" (") : text.find("; ");
+  const std::string rest = end == std::string::npos ? "" : begun_large(text.substr(text.find(' ', end) + 1));
+  show_paragraph(text.substr(0, end), {Face::heading});
+  const ImVec2 low = ImGui::GetItemRectMin();
+  if (!rest.empty()) show_paragraph(rest);
+  controls().record(prefix(side) + "/verdict", low, ImGui::GetItemRectMax(), text);
 }
 
 void work(const PixelStory& story, const std::string& name) {
@@ -218,7 +226,7 @@ Shown choose_shown(Session& session) {
 PixelPanel::PixelPanel(const PanelHost& host, LessonQuestions& questions)
     : Panel(host, {.name = region_names::right,
                    .place = PanelPlace::right,
-                   .heading = "STORY",
+                   .heading = "Story",
                    .brief = "Story",
                    .command = "Story: how the pixel got its colour",
                    .help = "The story of the picked pixel."}),
@@ -266,17 +274,14 @@ bool PixelPanel::draw(const Context&) {
     const ScreenMode mode = session_.document().mode;
     const bool in_caption = mode == ScreenMode::presenter && predict.lesson->question();
     if (mode == ScreenMode::lesson || in_caption || predict.lesson->asked_beside_text(session_))
-      ImGui::TextWrapped(
-          "The story is shown after your answer to the step's question.");  // the question is beside the text
+      show_paragraph(story_after_answer);  // the question is beside the text
     else
       predict_panel(session_, predict);
     return false;
   }
   prediction_verdict(session_, predict);
   if (side_of(session_.document(), inspected_side(session_)).slow_motion) {
-    ImGui::PushTextWrapPos(0);
-    value_text("pixel/slow-motion", "Slow motion: the story is that of the finished picture.");
-    ImGui::PopTextWrapPos();
+    value_paragraph("pixel/slow-motion", "Slow motion: the story is that of the finished picture.");
   }
   story();
   return false;
@@ -303,6 +308,8 @@ void PixelPanel::story() {
 
   begin_tool_content();
   ImGui::BeginChild("story");
+  if (std::exchange(state.scrolled, *picked) != *picked) ImGui::SetScrollY(0);
+  values().publish("pixel/scrolled", fmt::format("{:.0f}", ImGui::GetScrollY()));
   switch (shown) {
   case Shown::both:
     both(session, state, stories);

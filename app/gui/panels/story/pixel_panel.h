@@ -26,7 +26,8 @@ struct PixelPanelState {
   PinState pin;
   bool events_open = true, sum_open = true, work_open = false, rows_open = false;
   CanvasRowsState rows;
-  ShownFieldState field;  ///< of the number that the pictures show
+  ShownFieldState field;   ///< of the number that the pictures show
+  Vec2i scrolled{-1, -1};  ///< the pixel whose story may have been scrolled: another one begins at its top
   std::array<bool, 2> both_events_open{false, false}, both_sum_open{true, true};  ///< in the view of both
 };
 

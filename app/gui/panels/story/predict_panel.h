@@ -40,6 +40,9 @@ bool asks_about_pixel(const Session& session, const PredictState& state);
 /// Asks, with a control for the answer.
 void predict_panel(Session& session, PredictState& state);
 
+/// Stands where the story would answer an open question of a lesson.
+inline constexpr const char* story_after_answer = "The story is shown after your answer to the step's question.";
+
 /// The verdict on the last answer with the score, above the story. Not drawn while none was asked.
 void prediction_verdict(Session& session, PredictState& state);
 

@@ -182,7 +182,7 @@ bool toolbar(Session& session, const VertexChain& chain, bool filled) {
 VertexPanel::VertexPanel(const PanelHost& host)
     : Panel(host, {.name = "vertex",
                    .height = PanelHeight::tall,
-                   .heading = "VERTEX",
+                   .heading = "Vertex",
                    .brief = "Vertex",
                    .command = "Vertex: from the model to the canvas",
                    .help = "The transforms of a vertex from its model to the canvas, with matrices and numbers."}) {}

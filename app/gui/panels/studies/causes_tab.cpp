@@ -12,24 +12,43 @@
 namespace ps::gui {
 namespace {
 
-constexpr double cause_width = 260, share_width = 66;  // pixels at scale 1
+constexpr float most_of_row = 0.6f;  // for an option and its values
 
-/// An option, its values in A and B, and a bar of its share; shares below 0 reach to the left.
-void cause_row(const CauseShare& cause, double total) {
+/// "rasterizer", as panels show the value.
+std::string value_label(const Option* option, const std::string& value) {
+  if (!option) return value;
+  for (const Choice& choice : option->choices)
+    if (choice.key == value) return std::string(choice.label);
+  return value;
+}
+
+struct CauseWords {
+  std::string label, from, to;
+  std::string text() const { return fmt::format("{}: {} → {}", label, from, to); }
+};
+
+CauseWords words_of(const CauseShare& cause) {
   const Option* option = find_option(cause.option);
-  const std::string label = option ? std::string(option->label) : cause.option;
-  const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight() + px(4);
+  return {option ? std::string(option->label) : cause.option, value_label(option, cause.from),
+          value_label(option, cause.to)};
+}
+
+/// An option, its values in A and B, and a bar of its share; shares below 0 reach to the left. `names`: the width of
+/// the first column.
+void cause_row(const CauseShare& cause, double total, float names) {
+  const CauseWords words = words_of(cause);
+  const std::string lines = in_lines(words.text(), names);
+  const float room = ImGui::GetContentRegionAvail().x, height = text_height(lines) + px(4);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::Dummy({room, height});
   controls().record("cause/" + cause.option, full_number(cause.share));
   tooltip(
       cause.note.empty()
           ? fmt::format("{}: {} in A, {} in B. Set alone it changes A by {}; without it a difference of {} is left.",
-                        label, cause.from, cause.to, short_number(cause.alone), short_number(cause.without))
-          : fmt::format("{}: {} in A, {} in B. {}", label, cause.from, cause.to, cause.note));
-  const float names = std::min(px(cause_width), room * 0.5f), digits = px(share_width);
-  draw_text(at, {at.x + names, at.y + height}, fmt::format("{}: {} → {}", label, cause.from, cause.to), palette().text,
-            0);
+                        words.label, words.from, words.to, short_number(cause.alone), short_number(cause.without))
+          : fmt::format("{}: {} in A, {} in B. {}", words.label, words.from, words.to, cause.note));
+  const float digits = text_width("-100.0 %", Face::mono) + px(8);
+  draw_lines({at.x, at.y + px(2)}, lines, palette().text);
   if (!cause.note.empty()) {
     draw_text({at.x + names + px(8), at.y}, {at.x + room, at.y + height}, cause.note, palette().text_quiet, 0);
     return;
@@ -96,7 +115,10 @@ void CausesTab::draw_result(Session& session) {
             : "A and B may differ in several options. Which of them causes how much of the difference? Each option's "
               "share is its effect, averaged over all orders of switching (Shapley value).");
   }
-  for (const CauseShare& cause : found->causes) cause_row(cause, found->total);
+  float names = 0;
+  for (const CauseShare& cause : found->causes) names = std::max(names, text_width(words_of(cause).text()));
+  names = std::min(names, ImGui::GetContentRegionAvail().x * most_of_row);
+  for (const CauseShare& cause : found->causes) cause_row(cause, found->total, names);
   if (found->causes.empty()) quiet_text("No option differs.");
 }
 

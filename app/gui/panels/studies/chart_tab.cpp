@@ -71,7 +71,7 @@ ChartTab::ChartTab(const PanelHost& host, const StudyFolder& results)
     : EstimatedStudy(host,
                      study_facts({.name = "chart",
                                   .group = ToolGroup::measure,
-                                  .heading = "CHART",
+                                  .heading = "Chart",
                                   .brief = "Chart",
                                   .command = "Chart: time against error",
                                   .help = "Time against error over a sweep of options."}),
@@ -121,7 +121,7 @@ void ChartTab::sweep_choice() {
 }
 
 void ChartTab::setup_popup(Session& session) {
-  if (button("change", "Setup", Emphasis::quiet, {.tooltip = "Options and values, error metric and reference."}))
+  if (button("change", "Setup", Emphasis::plain, {.tooltip = "Options and values, error metric and reference."}))
     ImGui::OpenPopup("chart-setup");
   // It grows upwards from the lower edge, as options are added.
   const float width = px(400), margin = px(8);
@@ -165,7 +165,7 @@ void ChartTab::across_choice(float width) {
 
 void ChartTab::export_menu(const Session& session) {
   if (button(
-          "export", "Save", Emphasis::quiet,
+          "export", "Save", Emphasis::plain,
           {.tooltip = "Saves the chart as a table, as JSON or as a picture, or copies the command that measures it."}))
     ImGui::OpenPopup("chart-export");
   if (!ImGui::BeginPopup("chart-export")) return;

@@ -189,7 +189,7 @@ void ModelTab::more_controls(Session& session) {
               .disabled = changed ? "Scene, view or options have changed since." : ""}))
     use(session);
   same_line_if_room(button_width("Save as .scene"), px(3));
-  if (button("save", "Save as .scene", Emphasis::quiet,
+  if (button("save", "Save as .scene", Emphasis::plain,
              {.tooltip = "The reduced scene, with its models as OBJ and its textures as PNG files beside it."}))
     ask_file();
 }

@@ -43,7 +43,7 @@ NeedsTab::NeedsTab(const PanelHost& host, const StudyFolder& results)
     : StudyParts(host,
                  {.name = "needs",
                   .group = ToolGroup::measure,
-                  .heading = "NEEDS",
+                  .heading = "Needs",
                   .brief = "Needs",
                   .command = "Needs: what the scene can do without",
                   .help = "What the picture needs of options and model, and the least that stays within a tolerance."}),

@@ -26,7 +26,7 @@ StabilityTab::StabilityTab(const PanelHost& host, const StudyFolder& folder)
     : Study(host,
             study_facts({.name = "stability",
                          .group = ToolGroup::stability,
-                         .heading = "STABILITY",
+                         .heading = "Stability",
                          .brief = "Stable",
                          .command = "Stability: where methods fail",
                          .help = "Where methods fail: naive beside robust."}),
@@ -131,7 +131,7 @@ void StabilityTab::measure(Session&) {
 void StabilityTab::more_controls(Session&) {
   if (work.running()) return;
   same_line_if_room(button_width("All"), px(4));
-  if (!button("all", "All", Emphasis::quiet, {.tooltip = "Measures every experiment that is not measured yet."}))
+  if (!button("all", "All", Emphasis::plain, {.tooltip = "Measures every experiment that is not measured yet."}))
     return;
   std::vector<std::string> all;
   for (const StabilityExperiment& each : stability_experiments()) all.emplace_back(each.key);

@@ -44,8 +44,7 @@ void explanation(const StabilityExperiment& experiment, std::span<const Stabilit
   if (const std::string first = first_figure_text(experiment, rows); !first.empty()) {
     value_paragraph("first", first);
   }
-  show_paragraph(fmt::format("Safe: {} Set-up: {}.", experiment.safe, set_up_text(experiment.set_up)),
-                 {Face::small, true});
+  show_paragraph(fmt::format("Safe: {} {}", experiment.safe, set_up_text(experiment.set_up)), {Face::small, true});
   controls().record("explanation", std::string(experiment.explanation));
   controls().record("set-up", std::string(set_up_text(experiment.set_up)));
 }
@@ -77,7 +76,7 @@ bool of_the_pictures(const StabilityExperiment& experiment, const ExperimentFigu
 
 }  // namespace
 
-/// What came out, or why there is no result yet.
+/// What came out, or why there cannot be a result; empty where it is only not measured yet.
 std::string StabilityTab::note_of(const StabilityExperiment& experiment) {
   const std::string key(experiment.key);
   if (work.running() && found && found->now == key) return "measuring";
@@ -86,23 +85,24 @@ std::string StabilityTab::note_of(const StabilityExperiment& experiment) {
     if (is_new) kept->second = worst_text(experiment, result_of(key)->rows);
     return kept->second;
   }
-  const std::string absent = why_absent(key);
-  return absent.empty() ? "not measured yet" : absent;
+  return why_absent(key);
 }
 
 /// One experiment of the list: its title, and below it what came out.
 void StabilityTab::list_row(const StabilityExperiment& experiment) {
-  const float small_line = theme().font(Face::small)->FontSize;
-  const float width = ImGui::GetContentRegionAvail().x, title = ImGui::GetTextLineHeight() + px(5);
-  const float height = title + small_line + px(5);
+  const float width = ImGui::GetContentRegionAvail().x, edge = px(8);
+  const std::string note = note_of(experiment), title = in_lines(experiment.title, width - 2 * edge);
+  const float title_height = text_height(title), gap = px(4);
+  const ImVec2 at{ImGui::GetCursorScreenPos().x + edge, ImGui::GetCursorScreenPos().y + gap};
+  const FontScope small(Face::small);
+  const std::string below = in_lines(note, width - 2 * edge);
+  const float height = title_height + (note.empty() ? 0 : text_height(below)) + 2 * gap;
   const bool clicked = gui::list_row(experiment.key, {width, height}, &selected() == &experiment);
-  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
-  const std::string note = note_of(experiment);
-  draw_text({min.x + px(8), min.y}, {max.x - px(4), min.y + title}, whole_words(experiment.title, width - px(12)),
-            palette().text, 0);
-  draw_text({min.x + px(8), min.y + title}, {max.x - px(4), max.y - px(4)}, whole_words(note, width - px(12)),
-            palette().text_quiet, 0, Face::small);
-  if (text_width(experiment.title) > width - px(12)) tooltip(experiment.title);
+  {
+    const FontScope body(Face::body);
+    draw_lines(at, title, palette().text);
+  }
+  draw_lines({at.x, at.y + title_height}, below, palette().text_quiet);
   controls().record(experiment.key, note);
   if (clicked) select(experiment);
 }

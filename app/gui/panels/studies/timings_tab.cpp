@@ -25,7 +25,7 @@ constexpr StudyWords timings_words{.name = "timings",
 
 using Results = std::array<std::shared_ptr<const RenderResult>, 2>;
 
-constexpr double label_width = 260, timing_width = 74;
+constexpr double label_width = 260, timing_width = 92;
 constexpr double table_width = label_width + 3 * timing_width + 40;
 
 /// In a narrow window the labels give way, not the numbers.
@@ -159,7 +159,7 @@ TimingsTab::TimingsTab(const PanelHost& host)
     : Study(host,
             study_facts({.name = "timings",
                          .group = ToolGroup::measure,
-                         .heading = "TIMINGS",
+                         .heading = "Timings",
                          .brief = "Times",
                          .command = "Timings: times and counts",
                          .help = "Times of the stages and counts of the work, A beside B."}),

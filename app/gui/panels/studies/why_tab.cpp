@@ -9,7 +9,7 @@ namespace ps::gui {
 WhyTab::WhyTab(const PanelHost& host)
     : Panel(host, study_facts({.name = "why",
                                .group = ToolGroup::measure,
-                               .heading = "WHY",
+                               .heading = "Why",
                                .brief = "Why",
                                .command = "Why: what makes A and B differ",
                                .help = "Which option makes A and B differ, and which pixels float gets wrong."})),
