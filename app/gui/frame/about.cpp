@@ -2,7 +2,6 @@
 
 #include "base/machine.h"
 #include "gui/platform/window.h"
-#include "gui/widgets/overlay.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -18,14 +17,7 @@ void fact(const char* name, const std::string& value) {
 
 }  // namespace
 
-bool About::draw(const Context&) {
-  if (!open_) return false;
-  const Overlay window("##about", px(560), just_opened_);
-  const NameScope scope("about");
-  {
-    const FontScope title(Face::heading);
-    ImGui::TextUnformatted("Pixelscope");
-  }
+void About::draw_sheet() {
   ImGui::TextUnformatted("A microscope for pixels: one scene, several ways to draw it.");
   ImGui::Dummy({0, px(8)});
   static const Machine machine = this_machine();  // asks the system
@@ -36,9 +28,6 @@ bool About::draw(const Context&) {
   const GraphicsDriver driver = graphics_driver();
   fact("Graphics", driver.version);
   fact("Renderer", driver.renderer);
-  ImGui::Dummy({0, px(8)});
-  if (button("close", "Close", Emphasis::primary) || window.left()) open_ = false;
-  return false;
 }
 
 }  // namespace ps::gui

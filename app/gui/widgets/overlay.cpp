@@ -13,24 +13,11 @@ constexpr double padding = 24, close_width = 84;
 }  // namespace
 
 Overlay::Overlay(const char* id, ImVec2 largest, bool& just_opened) : just_opened_(just_opened) {
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const ImVec2 size{std::min(px(largest.x), display.x - px(40)), std::min(px(largest.y), display.y - px(40))};
-  ImGui::SetNextWindowPos({(display.x - size.x) / 2, (display.y - size.y) / 2});
-  ImGui::SetNextWindowSize(size);
-  ImGui::SetNextWindowFocus();
-  begin(id);
-}
-
-Overlay::Overlay(const char* id, float width, bool& just_opened) : just_opened_(just_opened) {
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const ImVec2 display = ImGui::GetIO().DisplaySize, most{display.x - px(40), display.y - px(40)};
   ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(width, display.x - px(40)), 0});
-  ImGui::SetNextWindowSizeConstraints({0, 0}, {display.x, display.y - px(40)});
-  if (just_opened) ImGui::SetNextWindowFocus();  // once, else no list could open
-  begin(id);
-}
-
-void Overlay::begin(const char* id) {
+  ImGui::SetNextWindowSize({std::min(px(largest.x), most.x), std::min(px(largest.y), most.y)});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {display.x, most.y});
+  if (just_opened || largest.y > 0) ImGui::SetNextWindowFocus();  // a list has to be before it
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(padding), px(16)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
@@ -39,7 +26,7 @@ void Overlay::begin(const char* id) {
 }
 
 bool Overlay::left() const {
-  return ImGui::IsMouseClicked(0) && !just_opened_ &&
+  return ImGui::IsMouseClicked(0) && !just_opened_ && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup) &&
          !ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows |
                                  ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
 }

@@ -7,10 +7,9 @@ namespace ps::gui {
 /// click that did so does not count.
 class Overlay {
  public:
-  /// In the middle, as large as the window lets it be, at most `largest` at scale 1.
+  /// In the middle, as large as the window lets it be, at most `largest` at scale 1. With a height of 0 it is as high
+  /// as its content, which may have lists that open.
   Overlay(const char* id, ImVec2 largest, bool& just_opened);
-  /// In the middle, as high as its content; what is in it may have lists that open.
-  Overlay(const char* id, float width, bool& just_opened);
   ~Overlay();
   Overlay(const Overlay&) = delete;
   Overlay& operator=(const Overlay&) = delete;
@@ -19,8 +18,6 @@ class Overlay {
   bool left() const;
 
  private:
-  void begin(const char* id);
-
   bool& just_opened_;
 };
 

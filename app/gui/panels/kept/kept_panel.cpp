@@ -9,7 +9,6 @@
 
 #include "base/check.h"
 #include "gui/widgets/draw.h"
-#include "gui/widgets/overlay.h"
 #include "gui/widgets/shorten.h"
 #include "gui/widgets/text_field.h"
 #include "gui/widgets/widgets.h"
@@ -130,27 +129,19 @@ void KeptPanel::keep_bookmark() {
 }
 
 KeptPanel::KeptPanel(const PanelHost& host)
-    : Sheet(host, "kept"), presets_(parse_kept(host.remembered(presets_key))),
+    : Sheet(host, "kept", {"Presets and bookmarks", {600, 0}}), presets_(parse_kept(host.remembered(presets_key))),
       bookmarks_(parse_kept(host.remembered(bookmarks_key))) {}
 
 void KeptPanel::add_actions(Actions& actions) {
   ActionGroup(actions, "Edit", [this] {
     return session_.has_scene();
-  }).add("kept", "Presets and bookmarks: keep options or the screen under a name", "M", [this] {
-    open_ = just_opened_ = true;
-  });
+  }).add("kept", "Presets and bookmarks: keep options or the screen under a name", "M", [this] { open(); });
 }
 
-bool KeptPanel::draw(const Context&) {
-  if (!open_ || !session_.has_scene()) return false;
-  const NameScope names("kept");
-  const Overlay window("##kept", px(600), just_opened_);
-  if (overlay_title("Presets and bookmarks")) open_ = false;
+void KeptPanel::draw_sheet() {
   presets();
   ImGui::Dummy({0, px(8)});
   bookmarks();
-  if (window.left()) open_ = false;
-  return false;
 }
 
 void KeptPanel::add_entries(std::vector<PaletteEntry>& entries) {

@@ -12,9 +12,12 @@ namespace ps::gui {
 class KeptPanel final : public Sheet {
  public:
   explicit KeptPanel(const PanelHost& host);
-  bool draw(const Context& context) override;
   void add_actions(Actions& actions) override;
   void add_entries(std::vector<PaletteEntry>& entries) override;
+
+ protected:
+  bool has_subject() override { return session_.has_scene(); }
+  void draw_sheet() override;
 
  private:
   void presets();

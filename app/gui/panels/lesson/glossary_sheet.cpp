@@ -5,7 +5,6 @@
 #include "base/check.h"
 #include "base/word_search.h"
 #include "gui/widgets/draw.h"
-#include "gui/widgets/overlay.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -70,7 +69,7 @@ std::optional<LinkTarget> GlossarySheet::draw_entry(const GlossaryEntry& entry, 
 }
 
 void GlossarySheet::show(const std::string& term) {
-  open_ = just_opened_ = true;
+  open();
   search_.clear();
   term_ = term;
   scroll_for_ = frames_to_scroll;
@@ -85,15 +84,7 @@ void GlossarySheet::take(const PanelMessage& message) {
   if (target && target->link.kind == LinkKind::term) show(target->link.target);
 }
 
-void GlossarySheet::offer(Values& out) {
-  out.offer("glossary/open", [this] { return open_; });
-}
-
-bool GlossarySheet::draw(const Context&) {
-  if (!open_) return false;
-  const NameScope names("glossary");
-  const Overlay overlay("##glossary", {760, 720}, just_opened_);
-  if (overlay_title("Glossary")) open_ = false;
+void GlossarySheet::draw_sheet() {
   search_box("search", search_, "Search terms and definitions");
   ImGui::Dummy({0, px(4)});
   std::optional<LinkTarget> followed;
@@ -110,11 +101,9 @@ bool GlossarySheet::draw(const Context&) {
     }
   if (read.entries && shown == 0) quiet_text("No term or definition has these words.");
   ImGui::EndChild();
-  if (overlay.left()) open_ = false;
-  if (!followed) return false;
+  if (!followed) return;
   if (followed->link.kind != LinkKind::term) open_ = false;
   host_.send(*followed);
-  return false;
 }
 
 }  // namespace ps::gui

@@ -11,12 +11,13 @@ namespace ps::gui {
 /// The glossary over the window.
 class GlossarySheet final : public Sheet {
  public:
-  explicit GlossarySheet(const PanelHost& host) : Sheet(host, "glossary") {}
-  /// A link of a definition that leads out of it also closes it.
-  bool draw(const Context& context) override;
+  explicit GlossarySheet(const PanelHost& host) : Sheet(host, "glossary", {"Glossary", {760, 720}}) {}
   void add_actions(Actions& actions) override;
-  void offer(Values& out) override;
   void take(const PanelMessage& message) override;
+
+ protected:
+  /// A link of a definition that leads out of it also closes it.
+  void draw_sheet() override;
 
  private:
   /// Opens it at this term, or at its begin if the term is empty.

@@ -12,7 +12,6 @@
 #include "gui/panels/lesson/lesson_list.h"
 #include "gui/platform/imgui_version.h"
 #include "gui/widgets/draw.h"
-#include "gui/widgets/overlay.h"
 #include "gui/widgets/picture_tiles.h"
 #include "gui/widgets/widgets.h"
 
@@ -168,12 +167,12 @@ void LessonPicker::add_actions(Actions& actions) {
 }
 
 void LessonPicker::offer(Values& out) {
-  out.offer("picker/open", [this] { return open_; });
+  Sheet::offer(out);
   out.offer("picker/pictures", [this] { return static_cast<int>(thumbnails_.count()); });
 }
 
 void LessonPicker::show() {
-  open_ = just_opened_ = true;
+  open();
   search_.clear();
   const std::vector<std::size_t> numbers = readable_numbers();
   const auto here = std::find_if(numbers.begin(), numbers.end(), [&](std::size_t number) {
@@ -184,28 +183,19 @@ void LessonPicker::show() {
   found_ = {};
 }
 
-bool LessonPicker::draw(const Context&) {
-  if (!open_) return false;
-  const bool opened_now = just_opened_;
-  Chosen chosen;
-  {
-    const Overlay window("##picker", whole_window, just_opened_);
-    const NameScope names("picker");
-    title_row();
-    help_with_query();
-    ImGui::BeginChild("##lessons");
-    chosen = searched_.empty() ? lesson_tiles() : hit_rows();
-    ImGui::EndChild();
-    if (window.left()) open_ = false;
-  }
-  if (chosen && !opened_now) {  // the Enter that opened it does not count
+void LessonPicker::draw_sheet() {
+  title_row();
+  help_with_query();
+  ImGui::BeginChild("##lessons");
+  const Chosen chosen = searched_.empty() ? lesson_tiles() : hit_rows();
+  ImGui::EndChild();
+  if (chosen && !just_opened_) {  // the Enter that opened it does not count
     open_ = false;
     go_to_step(session_, chosen->lesson, chosen->step);
   }
   std::set<std::uint64_t> ids;
   for (std::size_t i = 0; i < listed_lessons().size(); ++i) ids.insert(i);
   thumbnails_.update(ids);
-  return false;
 }
 
 }  // namespace ps::gui

@@ -5,6 +5,7 @@
 #include "engine/lesson_search.h"
 #include "gui/panels/lesson/lesson_panel.h"
 #include "gui/panels/sheet.h"
+#include "gui/widgets/overlay.h"
 #include "gui/work/thumbnails.h"
 
 namespace ps::gui {
@@ -13,14 +14,16 @@ namespace ps::gui {
 class LessonPicker final : public Sheet {
  public:
   LessonPicker(const PanelHost& host, const ReadLessons& read)
-      : Sheet(host, "lessons"), read_(read), thumbnails_(host.wake) {}
+      : Sheet(host, "picker", {"", whole_window}), read_(read), thumbnails_(host.wake) {}
   /// Opens it with the open lesson selected.
   void show();
-  /// A click, or Enter for the selected one, opens a lesson or the step that was found.
-  bool draw(const Context& context) override;
   void add_actions(Actions& actions) override;
   void offer(Values& out) override;
   bool busy() const override { return open_ && thumbnails_.busy(); }
+
+ protected:
+  /// A click, or Enter for the selected one, opens a lesson or the step that was found.
+  void draw_sheet() override;
 
  private:
   /// Where a click or Enter leads.

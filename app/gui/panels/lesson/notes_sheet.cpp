@@ -9,7 +9,6 @@
 #include "engine/lesson_length.h"
 #include "gui/panels/lesson/text_view.h"
 #include "gui/widgets/draw.h"
-#include "gui/widgets/overlay.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -45,19 +44,10 @@ void NotesSheet::add_actions(Actions& actions) {
   }).add("notes", "Notes for the teacher on this step", "Shift+T", [this] { open_ = just_opened_ = !open_; });
 }
 
-void NotesSheet::offer(Values& out) {
-  out.offer("notes/open", [this] { return open_; });
-}
-
-bool NotesSheet::draw(const Context&) {
+void NotesSheet::draw_sheet() {
   const Lesson* lesson = shelf_.open();
-  if (!lesson || lesson->steps.empty()) open_ = false;
-  if (!open_) return false;
-  const NameScope names("notes");
   const int count = static_cast<int>(lesson->steps.size());
   const int index = std::clamp(session_.document().step, 0, count - 1);
-  const Overlay overlay("##notes", {640, 420}, just_opened_);
-  if (overlay_title("For the teacher")) open_ = false;
   quiet_text(fmt::format("Step {} of {}: {}", index + 1, count, lesson->steps[static_cast<std::size_t>(index)].title));
   if (index == 0) quiet_text("The lesson takes " + length_text(length_of(*lesson)) + ".");
   ImGui::Dummy({0, px(4)});
@@ -69,9 +59,9 @@ bool NotesSheet::draw(const Context&) {
   else
     followed = draw_notes(session_, notes);
   ImGui::EndChild();
-  if (overlay.left() || followed) open_ = false;
-  if (followed) host_.send(*followed);
-  return false;
+  if (!followed) return;
+  open_ = false;
+  host_.send(*followed);
 }
 
 }  // namespace ps::gui

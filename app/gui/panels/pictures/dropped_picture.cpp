@@ -5,10 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "gui/widgets/overlay.h"
 #include "gui/widgets/widgets.h"
 #include "render/story/names.h"
-#include "scene/object_surface.h"
 #include "scene/scene_text.h"
 
 namespace ps::gui {
@@ -65,22 +63,14 @@ void DroppedPicture::ask(const std::filesystem::path& file, int object) {
   if (!session_.has_scene()) return;
   const std::vector<int> objects = textured_objects(session_.scene());
   if (objects.empty()) return session_.open_picture_b(file);
-  open_ = just_opened_ = plain_ = true;
+  open();
+  plain_ = true;
   file_ = file;
   object_ = object >= 0 && takes_texture(session_.scene(), static_cast<std::size_t>(object)) ? object : objects.front();
 }
 
-bool DroppedPicture::draw(const Context&) {
-  // Another scene may have come meanwhile.
-  open_ = open_ && takes_texture(session_.scene(), static_cast<std::size_t>(object_));
-  if (!open_) return false;
-  const Overlay window("##dropped", px(520), just_opened_);
-  const NameScope scope("dropped");
-  {
-    const FontScope title(Face::heading);
-    value_text("file", file_.filename().string());
-  }
-  ImGui::TextUnformatted("What is this picture for?");
+void DroppedPicture::draw_sheet() {
+  value_text("file", file_.filename().string());
   ImGui::Dummy({0, px(8)});
   if (button("compare", "Compare it with A", Emphasis::primary,
              {.tooltip = "Replaces B; A is rendered in its size."})) {
@@ -97,9 +87,6 @@ bool DroppedPicture::draw(const Context&) {
   object_choice();
   toggle("plain", "in its original colours", plain_,
          {.tooltip = "The colour of an object multiplies its texture. On: the object becomes white."});
-  ImGui::Dummy({0, px(8)});
-  if (button("cancel", "Cancel", Emphasis::quiet)) open_ = false;
-  return false;
 }
 
 }  // namespace ps::gui

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "gui/panels/sheet.h"
+#include "scene/object_surface.h"
 
 namespace ps::gui {
 
@@ -9,11 +10,15 @@ namespace ps::gui {
 /// B's place, or to be a texture of an object.
 class DroppedPicture final : public Sheet {
  public:
-  explicit DroppedPicture(const PanelHost& host) : Sheet(host, "dropped") {}
-  bool draw(const Context& context) override;
+  explicit DroppedPicture(const PanelHost& host) : Sheet(host, "dropped", {"What is this picture for?", {520, 0}}) {}
   /// `object` is the one under the pointer, or of the picked pixel, or -1. In a scene whose objects take no texture the
   /// picture goes to B at once.
   void ask(const std::filesystem::path& file, int object);
+
+ protected:
+  /// Another scene may have come meanwhile.
+  bool has_subject() override { return takes_texture(session_.scene(), static_cast<std::size_t>(object_)); }
+  void draw_sheet() override;
 
  private:
   void put_on();

@@ -5,7 +5,6 @@
 #include "base/check.h"
 #include "base/word_search.h"
 #include "gui/widgets/draw.h"
-#include "gui/widgets/overlay.h"
 #include "gui/widgets/widgets.h"
 #include "image/file.h"
 
@@ -87,21 +86,13 @@ void NotationSheet::draw_part(const NotationPart& part) {
 
 void NotationSheet::add_actions(Actions& actions) {
   ActionGroup(actions, "Scene").add("scene-notation", "Scene notation: what a scene file may say", "", [this] {
-    open_ = just_opened_ = true;
+    open();
     search_.clear();
   });
 }
 
-void NotationSheet::offer(Values& out) {
-  out.offer("notation/open", [this] { return open_; });
-}
-
-bool NotationSheet::draw(const Context&) {
-  if (!open_) return false;
+void NotationSheet::draw_sheet() {
   read_page();
-  const NameScope names("notation");
-  const Overlay overlay("##notation", {980, 820}, just_opened_);
-  if (overlay_title("Scene notation")) open_ = false;
   search_box("search", search_, "Search constructs and fields");
   ImGui::Dummy({0, px(4)});
   ImGui::BeginChild("##parts");
@@ -115,8 +106,6 @@ bool NotationSheet::draw(const Context&) {
   }
   if (!page_.parts.empty() && shown == 0) quiet_text("No construct or field has these words.");
   ImGui::EndChild();
-  if (overlay.left()) open_ = false;
-  return false;
 }
 
 }  // namespace ps::gui

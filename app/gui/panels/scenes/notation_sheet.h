@@ -11,10 +11,11 @@ namespace ps::gui {
 /// The notation of scene files over the window: each construct with its picture, example and fields.
 class NotationSheet final : public Sheet {
  public:
-  explicit NotationSheet(const PanelHost& host) : Sheet(host, "notation") {}
-  bool draw(const Context& context) override;
+  explicit NotationSheet(const PanelHost& host) : Sheet(host, "notation", {"Scene notation", {980, 820}}) {}
   void add_actions(Actions& actions) override;
-  void offer(Values& out) override;
+
+ protected:
+  void draw_sheet() override;
 
  private:
   void read_page();

@@ -8,7 +8,6 @@
 #include "base/check.h"
 #include "base/word_search.h"
 #include "gui/platform/imgui_version.h"
-#include "gui/widgets/overlay.h"
 #include "gui/widgets/picture_tiles.h"
 #include "gui/widgets/widgets.h"
 #include "scene/load.h"
@@ -69,20 +68,13 @@ std::string SceneGallery::tiles(const std::vector<std::size_t>& found) {
 
 void SceneGallery::add_actions(Actions& actions) {
   ActionGroup(actions, "Scene").add("scenes", "Gallery of scenes", "Ctrl+Shift+O", [this] {
-    open_ = just_opened_ = true;
+    open();
     search_.clear();
     selected_ = 0;
   });
 }
 
-void SceneGallery::offer(Values& out) {
-  out.offer("scenes/open", [this] { return open_; });
-}
-
-bool SceneGallery::draw(const Context&) {
-  if (!open_) return false;
-  const Overlay window("##scenes", whole_window, just_opened_);
-  const NameScope names("scenes");
+void SceneGallery::draw_sheet() {
   {
     const FontScope title(Face::heading);
     ImGui::TextUnformatted("Scenes");
@@ -101,12 +93,13 @@ bool SceneGallery::draw(const Context&) {
   ImGui::EndChild();
   if (!just_opened_ && key_pressed(Key::enter) && !found.empty())
     chosen = builtin_scenes()[found[static_cast<std::size_t>(selected_)]].name;
-  if (!chosen.empty()) session_.open(chosen);
-  if (window.left() || !chosen.empty()) open_ = false;
+  if (!chosen.empty()) {
+    session_.open(chosen);
+    open_ = false;
+  }
   std::set<std::uint64_t> ids;
   for (std::size_t i = 0; i < builtin_scenes().size(); ++i) ids.insert(i);
   thumbnails_.update(ids);
-  return false;
 }
 
 }  // namespace ps::gui

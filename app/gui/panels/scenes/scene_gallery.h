@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "gui/panels/sheet.h"
+#include "gui/widgets/overlay.h"
 #include "gui/work/thumbnails.h"
 
 namespace ps::gui {
@@ -10,12 +11,13 @@ namespace ps::gui {
 /// The scenes that the program ships with, as pictures over the whole window.
 class SceneGallery final : public Sheet {
  public:
-  explicit SceneGallery(const PanelHost& host) : Sheet(host, "scenes"), thumbnails_(host.wake) {}
-  /// A click, or Enter for the selected one, opens a scene.
-  bool draw(const Context& context) override;
+  explicit SceneGallery(const PanelHost& host) : Sheet(host, "scenes", {"", whole_window}), thumbnails_(host.wake) {}
   void add_actions(Actions& actions) override;
-  void offer(Values& out) override;
   bool busy() const override { return open_ && thumbnails_.busy(); }
+
+ protected:
+  /// A click, or Enter for the selected one, opens a scene.
+  void draw_sheet() override;
 
  private:
   std::string tiles(const std::vector<std::size_t>& found);

@@ -20,7 +20,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr double between_controls = 8, enough_height = 320, least_result = 110, parts_width = 180;  // pixels at scale 1
+constexpr double between_controls = 8, enough_height = 320, least_result = 110;  // pixels at scale 1
 
 /// As many whole sentences from the beginning as fit into one line.
 std::string sentences_that_fit(const std::string& text, float width) {
@@ -203,10 +203,19 @@ bool StudyParts::draw(const Context& context) {
   const NameScope scope(facts.name);
   if (!session_.has_scene()) return false;
   std::vector<Choice> choices;
-  for (const Part& part : parts_) choices.push_back(part.choice);
-  choice("shown", choices, shown_, {.width = px(parts_width)});
-  same_line_if_room(px(parts_width), px(between_controls));
-  return parts_[static_cast<std::size_t>(shown_)].study.draw_part(context.filled);
+  std::vector<StudyFrame*> studies;
+  int index = 0;
+  float width = 0;
+  for (const Part& part : parts_) {
+    if (part.applies && !part.applies()) continue;
+    if (part.choice.key == shown_) index = static_cast<int>(choices.size());
+    width += button_width(part.choice.label);
+    choices.push_back(part.choice);
+    studies.push_back(&part.study);
+  }
+  if (choice("shown", choices, index, {.width = width})) shown_ = choices[static_cast<std::size_t>(index)].key;
+  same_line_if_room(button_width("Find again"), px(between_controls));
+  return studies[static_cast<std::size_t>(index)]->draw_part(context.filled);
 }
 
 void StudyParts::offer(Values& out) {

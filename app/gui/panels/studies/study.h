@@ -175,6 +175,7 @@ class StudyParts : public Panel {
   struct Part {
     Choice choice;
     StudyFrame& study;
+    std::function<bool()> applies = {};  ///< to the pictures that are shown; empty: always
   };
   StudyParts(const PanelHost& host, const PanelFacts& of) : Panel(host, study_facts(of)) {}
   /// To be called once, when the studies are made; the first is shown.
@@ -182,7 +183,7 @@ class StudyParts : public Panel {
 
  private:
   std::vector<Part> parts_;
-  int shown_ = 0;
+  std::string_view shown_;  ///< the key of what was chosen; where it does not apply, the first that does is shown
 };
 
 /// The scene with its edits, as new as its file, and the camera, as text.

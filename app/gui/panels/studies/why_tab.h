@@ -76,20 +76,14 @@ struct PrecisionTab : Study<PrecisionFound> {
 
 /// One of them is shown: the precision of a picture, or what makes A and B differ, which is another question where B is
 /// a file.
-class WhyTab final : public Panel {
+class WhyTab final : public StudyParts {
  public:
   explicit WhyTab(const PanelHost& host);
-  bool draw(const Context& context) override;
-  void offer(Values& out) override;
-  void update() override;
-  bool busy() const override { return causes_.busy() || missing_.busy() || precision_.busy(); }
-  std::string status() const override;
 
  private:
   CausesTab causes_;
   MissingTab missing_;
   PrecisionTab precision_;
-  enum class Shown { causes, precision } shown_ = Shown::causes;
 };
 
 }  // namespace ps::gui
