@@ -27,10 +27,10 @@ bool leaves_out_all(const SceneTraits& traits, const Settings& settings) {
 
 std::string left_out_words(const SceneTraits& traits, const Settings& settings) {
   const RendererRow& row = renderer_row(settings.renderer);
-  std::string words;
-  for (const LeftOut& one : row.left_out(traits, settings))
-    words += fmt::format("; {} {}", row.subject(traits, settings), one.brief);
-  return words;
+  std::vector<std::string> briefs;
+  for (const LeftOut& one : row.left_out(traits, settings)) briefs.push_back(one.brief);
+  if (briefs.empty()) return {};
+  return fmt::format("; {} {}", row.subject(traits, settings), fmt::join(briefs_together(briefs), ", and "));
 }
 
 }  // namespace ps

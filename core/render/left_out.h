@@ -15,7 +15,7 @@ std::vector<std::string> briefs_together(const std::vector<std::string>& briefs)
 /// Whether it shows no object at all of a scene that has some: its picture is only background.
 bool leaves_out_all(const SceneTraits& traits, const Settings& settings);
 
-/// The same for the end of a verdict: "; the rasterizer leaves out CSG"; empty if none is left out.
+/// The same for the end of a verdict: "; the rasterizer leaves out CSG and shadows"; empty if none is left out.
 std::string left_out_words(const SceneTraits& traits, const Settings& settings);
 
 }  // namespace ps

@@ -91,9 +91,12 @@ Settings without(const Feature& feature, const Settings& settings) {
 std::optional<IdleReason> unused_reason(const Feature& feature, const Settings& settings, const SceneTraits& traits) {
   const Option& option = row(feature.option);
   if (const auto reason = inactive_reason(option, settings, traits)) return reason;
-  if (option.kind == OptionKind::choice)  // such as traced shadows of a rasterizer
+  if (option.kind == OptionKind::choice)  // such as stencil shadows of a ray tracer
     if (const Choice& choice = chosen(option, settings); choice.inactive)
       if (const auto reason = choice.inactive(settings, traits)) return reason;
+  if (option.key == "shadows" && settings.shadows == Shadows::traced &&
+      picture_way(settings.renderer) == PictureWay::fragments)
+    return needs("shadows", Shadows::map, Shadows::stencil_depth_fail).because("fragments have no shadow rays");
   if (without(feature, settings) == settings) return "it is off already";
   return {};
 }

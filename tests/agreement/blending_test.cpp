@@ -91,6 +91,59 @@ TEST(Blending, SourceAndDestinationHaveTheirOwnShares) {
       }
 }
 
+Vec3d colour_at(const std::string& objects, Vec2i pixel, int samples = 1) {
+  const Scene scene = parse_scene("background = white\n" + objects +
+                                      "settings { renderer = rasterizer  lighting = off  blending = sorted }\n",
+                                  "sheets.scene", ".");
+  Settings settings = settings_for(scene);
+  settings.multisampling = samples;
+  const Frame frame = render(scene, {scene.camera, 20, 20}, settings, request_for(Channel::none));
+  return Vec3d(frame.colour.at(pixel.x, pixel.y));
+}
+
+// Where two sheets cross, the one that is drawn last lies over the other one on either side: a depth that the first one
+// left behind would hide the second where it is behind. Where two lie in the same place, the scene's first is on top.
+TEST(Blending, TranslucentSheetsHideNoOther) {
+  const std::string falling = "triangle { vertices = [(-9, -30, 2), (-9, 30, 2), (9, 0, 12)]  color = red  "
+                              "transparency = 0.5 }\n",
+                    rising = "triangle { vertices = [(9, -30, 1), (-9, 0, 11), (9, 30, 1)]  color = blue  "
+                             "transparency = 0.5 }\n";
+  const Vec3d crossing = half_over(blue, half_over(red, white));
+  for (const int samples : {1, 4})
+    for (const int column : {2, 17}) {
+      SCOPED_TRACE(std::to_string(samples) + " samples, column " + std::to_string(column));
+      expect_near(colour_at(falling + rising, {column, 10}, samples), crossing, 1e-6);
+      expect_near(colour_at(rising + falling, {column, 10}, samples), crossing, 1e-6);
+    }
+  const std::string place = "triangle { vertices = [(-9, -9, 5), (0, 18, 5), (9, -9, 5)]  transparency = 0.5  color = ";
+  expect_near(colour_at(place + "red }\n" + place + "blue }\n", {10, 10}), half_over(red, half_over(blue, white)),
+              1e-6);
+}
+
+// Opaque surfaces come first, also one behind the near end of a sheet whose middle is farther away.
+TEST(Blending, OpaqueSurfacesComeFirst) {
+  const std::string sheet = "triangle { vertices = [(-9, -90, 2), (-9, 90, 2), (99, 0, 60)]  color = blue  "
+                            "transparency = 0.5 }\n",
+                    opaque = "triangle { vertices = [(-90, -90, 9), (0, 180, 9), (90, -90, 9)]  color = red }\n";
+  for (const std::string& objects : {sheet + opaque, opaque + sheet})
+    expect_near(colour_at(objects, {2, 10}), half_over(blue, red), 1e-6);
+}
+
+// Each sample is blended with its own colour. So a pixel on the edge of an opaque triangle is, through a sheet, half of
+// the sheet and half of the same pixel without it.
+TEST(Blending, EverySampleHasItsOwnDestination) {
+  const std::string edge = "triangle { vertices = [(-9, -9, 5), (-7, 18, 5), (1.3, -9, 5)]  color = red }\n",
+                    sheet = "triangle { vertices = [(-9, -9, 3), (0, 18, 3), (9, -9, 3)]  color = blue  "
+                            "transparency = 0.5 }\n";
+  int mixed = 0;
+  for (int column = 0; column < 20; ++column) {
+    const Vec3d without = colour_at(edge, {column, 10}, 8);
+    mixed += without.y > 0 && without.y < 1 ? 1 : 0;
+    expect_near(colour_at(edge + sheet, {column, 10}, 8), half_over(blue, without), 1e-6);
+  }
+  EXPECT_GT(mixed, 0);
+}
+
 TEST(Blending, SortedShowsWhatRaysSee) {
   const Sheets sheets;
   const Image<Vec3f> rays = sheets.draw({"renderer=ray-tracer"});

@@ -116,12 +116,21 @@ TEST(LeftOutObjects, AListingNamesWhatStandsBesideItsTriangle) {
   Settings settings = with_renderer(Renderer::textbook);
   parse_assignment("listing=cgfs-13-shading", settings);
   const std::string verdict = story_of(scene, settings, {1, 1}, 8).verdict;
-  for (const char* words :
-       {"leaves out spheres", "leaves out planes, rectangles, boxes and cylinders", "leaves out CSG",
-        "leaves out shadows", "leaves out reflections", "the listing of CGFS ch. 13"})
+  for (const char* words : {"; the listing of CGFS ch. 13 leaves out ", "spheres",
+                            "planes, rectangles, boxes and cylinders", "CSG", "shadows and reflections"})
     EXPECT_NE(verdict.find(words), std::string::npos) << words << ": " << verdict;
   EXPECT_EQ(verdict.find("models"), std::string::npos) << verdict;
   EXPECT_EQ(verdict.find("canvas"), std::string::npos) << verdict;
+}
+
+// One subject and one verb for all that is left out; what is shown in another way has its own verb.
+TEST(LeftOutObjects, AVerdictNamesTheRendererOnce) {
+  const Scene scene = parse_scene("sphere { center = (0, 0, 4)  radius = 1  color = red  transparency = 0.5 }\n"
+                                  "sphere { center = (2, 0, 4)  radius = 1  color = red  reflective = 0.5 }\n"
+                                  "light { type = point  intensity = 0.5  position = (3, 2, 0) }\n",
+                                  "glass.scene", ".");
+  EXPECT_EQ(left_out_words(scene_traits(scene), with_renderer(Renderer::rasterizer)),
+            "; the rasterizer leaves out shadows and reflections, and shows transparent surfaces as opaque");
 }
 
 // What is said about shadows and reflections is what the pictures show: they differ from those of rays, and the named
@@ -130,7 +139,7 @@ TEST(LeftOutObjects, TheRasterizersMissingEffectsAreNamedUntilTheyAreThere) {
   const Scene scene = load_scene("cgfs/reflections");
   Settings settings = with_renderer(Renderer::rasterizer);
   const auto words = [&] { return left_out_words(scene_traits(scene), settings); };
-  EXPECT_EQ(words(), "; the rasterizer leaves out shadows; the rasterizer leaves out reflections");
+  EXPECT_EQ(words(), "; the rasterizer leaves out shadows and reflections");
   parse_assignment("shadows=map", settings);
   EXPECT_EQ(words(), "; the rasterizer leaves out reflections");
   parse_assignment("environment=cube-map", settings);

@@ -189,5 +189,22 @@ TEST(Needs, AZeroToleranceChangesNoPixelAndALargeOneDropsMore) {
   EXPECT_LT(loose.work, exact.work);
 }
 
+// A feature is used only where the picture without it is another one. Fragments cast no shadow rays.
+TEST(Needs, TracedShadowsAreNoFeatureOfFragments) {
+  const Scene scene = load_scene("cgfs/shading");
+  const Feature& shadows = *std::find_if(features().begin(), features().end(),
+                                         [](const Feature& feature) { return feature.option == "shadows"; });
+  for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer})
+    for (const Shadows how : {Shadows::traced, Shadows::map}) {
+      Settings settings = settings_for(scene);
+      settings.renderer = renderer;
+      settings.shadows = how;
+      const auto picture = [&](const Settings& of) { return render(scene, {scene.camera, 64, 64}, of).colour; };
+      const bool seen = picture(settings) != picture(without(shadows, settings));
+      EXPECT_EQ(!unused_reason(shadows, settings, scene_traits(scene)), seen);
+      EXPECT_EQ(seen, renderer == Renderer::ray_tracer || how == Shadows::map);
+    }
+}
+
 }  // namespace
 }  // namespace needs_test
