@@ -31,18 +31,18 @@ HWY_INLINE unsigned bits_of(Tag d, hn::Mask<Tag> mask) {
 }
 
 /// One axis of the rays as boxes are tested; see BoxRay in wide_nodes-inl.h.
-struct Axis {
+struct RayAxis {
   V inverse, near, far;
   std::size_t near_plane = 0, far_plane = 0;
 };
 
-HWY_INLINE Axis box_axis(const WidePacket& packet, const Vec3f& centre, std::size_t axis, V least) {
+HWY_INLINE RayAxis box_axis(const WidePacket& packet, const Vec3f& centre, std::size_t axis, V least) {
   const D d;
   const V direction = hn::Load(d, packet.direction[axis].data());
   const V origin = hn::Sub(hn::Load(d, packet.origin[axis].data()), all(centre[static_cast<int>(axis)]));
   const V sign = hn::And(direction, hn::SignBit(d));
   const V pad = hn::Or(all(1.25f * packet.pad), sign);
-  Axis result;
+  RayAxis result;
   result.inverse = hn::Or(hn::Div(all(1), hn::Max(hn::Abs(direction), least)), sign);
   result.near = hn::Mul(hn::Add(origin, pad), result.inverse);
   result.far = hn::Mul(hn::Sub(origin, pad), result.inverse);
@@ -62,7 +62,7 @@ struct BoxAxes {
     y = box_axis(packet, centre, 1, least);
     z = box_axis(packet, centre, 2, least);
   }
-  Axis x, y, z;
+  RayAxis x, y, z;
 };
 
 /// Where the rays are inside a box, within [0, limit]; `plane(i)` is plane i of WideNode::planes.
@@ -103,7 +103,7 @@ class Beam {
  private:
   struct Side {
     B fastest, slowest;  ///< 1 / direction, of the rays for which it is smallest and largest
-    B near, far;         ///< the origin's parts, as in Axis
+    B near, far;         ///< the origin's parts, as in RayAxis
     std::size_t near_plane, far_plane;
     HWY_INLINE B entered(const WideNode& node) const {
       return hn::MulSub(hn::Load(Boxes(), node.planes[near_plane]), fastest, near);
@@ -112,7 +112,7 @@ class Beam {
       return hn::MulSub(hn::Load(Boxes(), node.planes[far_plane]), slowest, far);
     }
   };
-  static HWY_INLINE Side side(const WidePacket& packet, const Vec3f& centre, std::size_t axis, const Axis& rays) {
+  static HWY_INLINE Side side(const WidePacket& packet, const Vec3f& centre, std::size_t axis, const RayAxis& rays) {
     const D d;
     const float origin = packet.origin[axis][0] - centre[static_cast<int>(axis)];
     const float grown = std::copysign(1.25f * packet.pad, packet.direction[axis][0]);
