@@ -120,6 +120,25 @@ TEST(TracedMaps, AreTheMapsOfTheRasterizer) {
   EXPECT_EQ(*a.counters.get(Counter::shadow_rays), 0u);
 }
 
+// Rays meet the triangles of a curved model as it was made, so their maps hold these, however finely the rasterizer
+// divides it for its own.
+TEST(TracedMaps, HoldTheTrianglesThatRaysMeet) {
+  const Scene scene = parse_scene("model { name = pot  generator = teapot  divisions = 2  color = orange }\n"
+                                  "instance { model = pot  transform { scale = 0.3  translation = (0, -0.3, 3) } }\n"
+                                  "light { type = directional  intensity = 0.7  direction = (1, 2, -2) }\n",
+                                  "pot.scene", ".");
+  const auto map_of = [&](Renderer renderer, Patches patches) {
+    Settings settings = by_maps({}, 64);
+    settings.renderer = renderer;
+    settings.patches = patches;
+    return render(scene, {scene.camera, 60, 60}, settings, request_for(Channel::shadow_map)).shadow_map;
+  };
+  const auto made = map_of(Renderer::ray_tracer, Patches::as_made);
+  EXPECT_EQ(map_of(Renderer::ray_tracer, Patches::projected_error), made);
+  EXPECT_EQ(map_of(Renderer::rasterizer, Patches::as_made), made);
+  EXPECT_NE(map_of(Renderer::rasterizer, Patches::projected_error), made);
+}
+
 const Vec3d ball{0.3, 1.2, 4};
 constexpr double ball_radius = 0.7, eye_height = 7;
 const Vec3d lamp{-1.5, 4, 3}, sun{0.6, 2, -0.5};
