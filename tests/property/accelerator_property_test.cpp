@@ -248,6 +248,8 @@ void expect_same_hits_together(Accelerator accelerator, Simd narrowest) {
         CountingRecorder recorder;
         const Intersector<float, Silent> clear(everything, silent);
         const FastIntersector fast(inputs, *wide, recorder);
+        CountingRecorder alone;
+        const FastIntersector one_by_one(inputs, *wide, alone);
         int differing = 0, together = 0;
         for (const Ray<float>& ray : aimed_rays(*inputs.geometry, place, seed, test::trials(1500))) {
           std::array<Ray<float>, most_in_packet> rays;
@@ -262,10 +264,16 @@ void expect_same_hits_together(Accelerator accelerator, Simd narrowest) {
           together += wide->list || wide->packets.make(some, wide->seen, inputs.box_padding, packet) ? 1 : 0;
           const std::size_t count = 1 + static_cast<std::size_t>(together) % most_in_packet;
           fast.nearest_of_each(std::span<const Ray<float>>(rays.data(), count), std::span(hits.data(), count));
-          for (std::size_t i = 0; i < count; ++i) differing += same_bits(clear.nearest(rays[i]), hits[i]) ? 0 : 1;
+          for (std::size_t i = 0; i < count; ++i) {
+            differing += same_bits(clear.nearest(rays[i]), hits[i]) ? 0 : 1;
+            one_by_one.nearest(rays[i]);
+          }
         }
         EXPECT_EQ(differing, 0);
         EXPECT_GT(together, test::trials(1500) * 2 / 3);
+        for (const Counter work : {Counter::node_visits, Counter::triangle_tests})
+          EXPECT_NEAR(static_cast<double>(recorder.counters[work]), static_cast<double>(alone.counters[work]),
+                      1e-3 * static_cast<double>(alone.counters[work]));  // boxes are grown a little differently
       }
     }
   }

@@ -112,7 +112,7 @@ const char* scene_for(std::string_view folder) {
   const std::pair<std::string_view, const char*> scenes[] = {
       {"cgfs_02_basic_ray_tracing", "cgfs/spheres"},
       {"cgfs_03_light", "cgfs/lights"},
-      {"cgfs_04_shadows_and_reflections", "cgfs/reflections"},
+      {"cgfs_04_shadows_and_reflections", "chapters/cgfs_04_shadows_and_reflections/balloon.scene"},
       {"cgfs_05_solids", "cgfs/cubes"},
       {"cgfs_06_lines", "chapters/cgfs_06_lines/ends.scene"},
       {"cgfs_07_filled_triangles", "chapters/cgfs_07_filled_triangles/square.scene"},

@@ -106,6 +106,7 @@ bool make(std::span<const Ray<float>> rays, const SeenFrom& seen, float padding,
   const M aimed = hn::Lt(reach, hn::Mul(all(1e15f), hn::Max(hn::Max(x, y), z)));
   if (!free || !one_octant || !all_or_none(along_x) || !all_or_none(along_y) || !hn::AllTrue(d, hn::And(finite, aimed)))
     return false;
+  packet.count = rays.size();
   packet.pad = padding * hn::GetLane(hn::MaxOfLanes(d, reach));
   const auto alike = [&](V origin) HWY_ATTR { return hn::Eq(origin, all(hn::GetLane(origin))); };
   packet.one_origin = hn::AllTrue(d, hn::And(hn::And(alike(ox), alike(oy)), alike(oz)));
@@ -148,24 +149,27 @@ HWY_NOINLINE void search_from(const WideBvh& bvh, const WidePacket& packet, Wide
   std::array<Waiting, WideBvh::most_waiting + wide_width> stack;
   std::size_t top = 0;
   WideChild current = 0;
+  // The lanes whose rays are in the box of `current` before what they have met. Work counts for these alone: it is what
+  // the same rays do one by one.
+  const unsigned own = (1u << packet.count) - 1;
+  unsigned active = own;
   float limit = hn::GetLane(hn::MaxOfLanes(d, best.t));
   while (true) {
     if (is_leaf(current)) {
       const TriangleBlock<wide_block_width>* const blocks = &bvh.blocks[leaf_first(current)];
       const std::uint32_t number = leaf_count(current);
+      count.triangles += hwy::PopCount(active & own) * number * wide_block_width;
       bool improved = false;
       for (std::uint32_t b = 0; b < number; ++b) {
         typename Triangles<test, origins>::Shared shared;
         triangles.share(blocks[b], shared);
-        for (std::uint32_t lane = 0; lane < wide_block_width && blocks[b].primitive[lane] != no_primitive; ++lane) {
+        for (std::uint32_t lane = 0; lane < wide_block_width && blocks[b].primitive[lane] != no_primitive; ++lane)
           improved |= triangles.test(blocks[b], shared, lane, best);
-          count.triangles += width;
-        }
       }
       if (improved) limit = hn::GetLane(hn::MaxOfLanes(d, best.t));
     } else {
       const WideNode& node = bvh.nodes[current];
-      ++count.nodes;
+      count.nodes += hwy::PopCount(active & own);
       const std::size_t before = top;
       for (unsigned places = places_of(node, origins == Origins::one ? beam.meets(node, limit) : 0xffu, octant_shift);
            places != 0;) {
@@ -176,6 +180,7 @@ HWY_NOINLINE void search_from(const WideBvh& bvh, const WidePacket& packet, Wide
         const LaneSpan span = span_in_box(rays, best.t, plane);
         const M entered = hn::Le(span.first, span.last);
         if (hn::AllFalse(d, entered)) continue;
+        active = bits_of(d, entered);
         hn::Store(hn::IfThenElse(entered, span.first, hn::Inf(d)), d, stack[top].near);
         const WideChild child = node.child[slot];
         stack[top++].child = child;
@@ -186,13 +191,13 @@ HWY_NOINLINE void search_from(const WideBvh& bvh, const WidePacket& packet, Wide
         continue;
       }
     }
-    bool found = false;
-    while (top > 0 && !found) {
+    active = 0;
+    while (top > 0 && active == 0) {
       --top;
       const V near = hn::Load(d, stack[top].near);
-      found = !hn::AllFalse(d, hn::And(hn::Le(near, best.t), hn::Lt(near, hn::Inf(d))));
+      active = bits_of(d, hn::And(hn::Le(near, best.t), hn::Lt(near, hn::Inf(d))));
     }
-    if (!found) break;
+    if (active == 0) break;
     current = stack[top].child;
   }
   hn::Store(best.t, d, hits.t.data());

@@ -20,6 +20,7 @@ struct alignas(64) WidePacket {
   using Lanes = std::array<float, most_in_packet>;
   std::array<Lanes, 3> origin, direction;  ///< by axis
   Lanes t_min, t_max;
+  std::size_t count = 0;                   ///< lanes that hold a ray of their own
   float pad = 0;                           ///< as in WideQuery
   float triangle_epsilon = 0;              ///< for Moeller-Trumbore
   bool one_origin = false;                 ///< all rays start at one point
