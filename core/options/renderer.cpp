@@ -161,6 +161,7 @@ Option listing_bug_row() {
                                {"cgfs/reflections"},
                                {"cgfs/crates"},
                                {"cgfs/lights"},
+                               {"cgfs_04_shadows_and_reflections/balloon.scene"},
                                {"cgfs_06_lines/ends.scene"},
                                {"cgfs/cubes", "listing=cgfs-10-scenes"},
                                {"cgfs/shading"},

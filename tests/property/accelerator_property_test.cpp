@@ -273,7 +273,7 @@ void expect_same_hits_together(Accelerator accelerator, Simd narrowest) {
         EXPECT_GT(together, test::trials(1500) * 2 / 3);
         for (const Counter work : {Counter::node_visits, Counter::triangle_tests})
           EXPECT_NEAR(static_cast<double>(recorder.counters[work]), static_cast<double>(alone.counters[work]),
-                      1e-3 * static_cast<double>(alone.counters[work]));  // boxes are grown a little differently
+                      0.01 * static_cast<double>(alone.counters[work]));  // one box of all spheres turns more away
       }
     }
   }

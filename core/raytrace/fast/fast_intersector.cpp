@@ -16,7 +16,7 @@ Hit<float> FastIntersector::any(const Ray<float>& ray) const {
 }
 
 void FastIntersector::nearest_of_each(std::span<const Ray<float>> rays, std::span<Hit<float>> hits) const {
-  WidePacket packet;
+  WidePacket packet{};  // not all lanes are in use everywhere
   packet.triangle_epsilon = inputs_.triangle_epsilon;
   packet.filter = filter_;
   const std::size_t together = wide_.wide && wide_.packets.make ? wide_.packets.width : most_list_queries;

@@ -97,7 +97,7 @@ class Beam {
     const B limit = hn::Set(d, before);
     const B first = hn::Max(x_.entered(node), hn::Max(y_.entered(node), hn::Max(z_.entered(node), hn::Zero(d))));
     const B last = hn::Min(x_.left(node), hn::Min(y_.left(node), hn::Min(z_.left(node), limit)));
-    return bits_of(d, hn::Le(first, last));
+    return bits_of(d, hn::Le(first, hn::Mul(last, hn::Set(d, 1.00001f))));
   }
 
  private:
@@ -119,11 +119,13 @@ class Beam {
     const V size = hn::Abs(rays.inverse);
     const float fastest = std::copysign(hn::GetLane(hn::MinOfLanes(d, size)), grown);
     const float slowest = std::copysign(hn::GetLane(hn::MaxOfLanes(d, size)), grown);
+    const float near = (origin + grown) * fastest, far = (origin - grown) * slowest;
+    const float rounding = 0x1p-21f;  // no box that a ray's own test enters may be turned away here
     const Boxes b;
     return {hn::Set(b, fastest),
             hn::Set(b, slowest),
-            hn::Set(b, (origin + grown) * fastest),
-            hn::Set(b, (origin - grown) * slowest),
+            hn::Set(b, near + std::abs(near) * rounding),
+            hn::Set(b, far - std::abs(far) * rounding),
             rays.near_plane,
             rays.far_plane};
   }

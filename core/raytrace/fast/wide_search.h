@@ -27,7 +27,7 @@ struct WideQuery {
   const TriangleFilter* filter = nullptr;  ///< null: every triangle counts
 };
 
-/// Work done by queries. The same on every SIMD target, and for rays together as for each alone.
+/// Work done by queries in wide trees. The same on every SIMD target, and for rays together as for each alone.
 struct WideCount {
   std::uint64_t nodes = 0;
   std::uint64_t triangles = 0;
