@@ -19,14 +19,15 @@ void FastIntersector::nearest_of_each(std::span<const Ray<float>> rays, std::spa
   WidePacket packet{};  // not all lanes are in use everywhere
   packet.triangle_epsilon = inputs_.triangle_epsilon;
   packet.filter = filter_;
-  const std::size_t together = wide_.wide && wide_.packets.make ? wide_.packets.width : most_list_queries;
+  const bool in_packets = wide_.wide && wide_.packets.make;
+  const std::size_t together = in_packets ? wide_.packets.width : most_list_queries;
   for (std::size_t first = 0; first < rays.size(); first += together) {
     const std::size_t count = std::min(together, rays.size() - first);
     const auto some = rays.subspan(first, count);
     const auto found = hits.subspan(first, count);
     if (wide_.list && std::all_of(some.begin(), some.end(), is_searchable<float>))
       search_list_together(some, found);
-    else if (wide_.wide && wide_.packets.make && wide_.packets.make(some, wide_.seen, inputs_.box_padding, packet))
+    else if (in_packets && wide_.packets.make(some, wide_.seen, inputs_.box_padding, packet))
       search_tree_together(some, packet, found);
     else
       for (std::size_t i = 0; i < count; ++i) found[i] = nearest(some[i]);
