@@ -7,25 +7,9 @@
 #include <type_traits>
 
 #include "accel/box.h"
+#include "accel/four_lanes.h"
 
 namespace ps {
-
-/// x, y, z and one more number that the processor handles together with them (GCC and clang vectors; a processor
-/// without the registers works through them one by one).
-template <class Real>
-struct FourLanes;
-template <>
-struct FourLanes<float> {
-  typedef float Type __attribute__((vector_size(16)));
-  typedef std::int32_t Index __attribute__((vector_size(16)));
-};
-template <>
-struct FourLanes<double> {
-  typedef double Type __attribute__((vector_size(32)));
-  typedef std::int64_t Index __attribute__((vector_size(32)));
-};
-template <class Real>
-using Lanes4 = typename FourLanes<Real>::Type;
 
 /// A box in four lanes; the last lane is not used. Without a value at first.
 template <class Real>
@@ -121,11 +105,10 @@ template <class Real>
 class BinSet {
  public:
   explicit BinSet(int bins = most_bins) : bins_(bins) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      for (std::size_t bin = 0; bin < count_of_bins(); ++bin) {
-        boxes_[axis][bin] = Extent<Real>();
-        counts_[axis][bin] = 0;
-      }
+    for (std::size_t bin = 0; bin < count_of_bins(); ++bin) {
+      boxes_[bin].fill(Extent<Real>());
+      counts_[bin] = AxisCounts{};
+    }
   }
 
   void add(std::span<const PrimitiveReference<Real>> references, const Extent<Real>& centroids) {
@@ -144,48 +127,42 @@ class BinSet {
     add(other);
   }
   void add(const BinSet& other) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      for (std::size_t bin = 0; bin < count_of_bins(); ++bin) {
-        boxes_[axis][bin].include(other.boxes_[axis][bin]);
-        counts_[axis][bin] += other.counts_[axis][bin];
-      }
+    for (std::size_t bin = 0; bin < count_of_bins(); ++bin) {
+      for (std::size_t axis = 0; axis < 3; ++axis) boxes_[bin][axis].include(other.boxes_[bin][axis]);
+      counts_[bin] += other.counts_[bin];
+    }
   }
 
   /// The cut that costs least by the surface-area heuristic, primitives counting in groups of four as they are tested.
-  /// Large nodes are always cut if they can be; one of moderate size may stay whole.
+  /// Large nodes are always cut if they can be; one of moderate size may stay whole. The three axes are in lanes. A cut
+  /// with an empty side costs NaN, infinity times no group, which is never less.
   BvhSplit<Real> best_split(std::uint32_t count, const Extent<Real>& box, const Extent<Real>& centroids) const {
-    const double area = box.half_area();
-    double best_cost = count > 4 * bvh_leaf ? std::numeric_limits<double>::infinity() : groups(count) * area;
+    const double node_cost = bvh_traversal_cost * box.half_area();
+    const double uncut =
+        count > 4 * bvh_leaf ? std::numeric_limits<double>::infinity() : groups(count) * box.half_area();
+    std::array<AxisCosts, most_bins> costs;
+    Sides sides;
+    for (std::size_t bin = count_of_bins() - 1; bin > 0; --bin) {
+      sides.include(boxes_[bin], counts_[bin]);
+      sides.cost(costs[bin]);
+    }
+    sides = Sides();
+    for (std::size_t bin = 1; bin < count_of_bins(); ++bin) {
+      sides.include(boxes_[bin - 1], counts_[bin - 1]);
+      AxisCosts left;
+      sides.cost(left);
+      costs[bin] = node_cost + left + costs[bin];
+    }
+    double best_cost = uncut;
     int best_axis = -1, best_bin = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      if (!(centroids.high[axis] > centroids.low[axis]) || !(binning_.scale[axis] > 0)) continue;
-      const auto& boxes = boxes_[static_cast<std::size_t>(axis)];
-      const auto& counts = counts_[static_cast<std::size_t>(axis)];
-      std::array<double, most_bins> right_cost;
-      Extent<Real> side;
-      std::uint32_t sum = 0;
-      for (int i = bins_ - 1; i > 0; --i) {
-        const auto k = static_cast<std::size_t>(i);
-        right_cost[k] = i + 1 < bins_ ? right_cost[k + 1] : 0;
-        if (counts[k] == 0) continue;
-        side.include(boxes[k]);
-        sum += counts[k];
-        right_cost[k] = side.half_area() * groups(sum);
-      }
-      side = {};
-      sum = 0;
-      for (int i = 1; i < bins_; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        if (counts[k - 1] == 0) continue;  // the same cut as the one before
-        side.include(boxes[k - 1]);
-        sum += counts[k - 1];
-        if (sum == count) break;
-        const double total = bvh_traversal_cost * area + side.half_area() * groups(sum) + right_cost[k];
-        if (total < best_cost) {
-          best_cost = total;
-          best_axis = axis;
-          best_bin = i;
-        }
+      if (!(centroids.high[axis] > centroids.low[axis])) continue;
+      for (int bin = 1; bin < bins_; ++bin) {
+        const double cost = costs[static_cast<std::size_t>(bin)][axis];
+        if (!(cost < best_cost)) continue;
+        best_cost = cost;
+        best_axis = axis;
+        best_bin = bin;
       }
     }
     return best_axis < 0 ? BvhSplit<Real>() : describe(best_axis, best_bin);
@@ -195,11 +172,40 @@ class BinSet {
   std::uint32_t left_of(const BvhSplit<Real>& split) const {
     std::uint32_t sum = 0;
     for (int i = 0; i < split.bin; ++i)
-      sum += counts_[static_cast<std::size_t>(split.axis)][static_cast<std::size_t>(i)];
+      sum += static_cast<std::uint32_t>(counts_[static_cast<std::size_t>(i)][split.axis]);
     return sum;
   }
 
  private:
+  // One of each for an axis; the fourth lane is not used.
+  using AxisBounds = std::array<Bounds<Real>, 3>;
+  using AxisCounts = FourLanes<float>::Index;
+  using AxisCosts = Lanes4<double>;
+
+  /// One side of a cut on each axis.
+  struct Sides {
+    std::array<Extent<Real>, 3> boxes;
+    AxisCounts counts{};
+
+    void include(const AxisBounds& bounds, const AxisCounts& more) {
+#pragma GCC unroll 3
+      for (std::size_t axis = 0; axis < 3; ++axis) boxes[axis].include(bounds[axis]);
+      counts += more;
+    }
+    /// Half the surface area of each axis's box times the groups of its primitives.
+    void cost(AxisCosts& result) const {
+      const Lanes4<Real> a = boxes[0].high - boxes[0].low, b = boxes[1].high - boxes[1].low,
+                         c = boxes[2].high - boxes[2].low;
+      const Lanes4<Real> ab = __builtin_shufflevector(a, b, 0, 4, 1, 5),
+                         ab_z = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+      const Lanes4<Real> x = __builtin_shufflevector(ab, c, 0, 1, 4, 4), y = __builtin_shufflevector(ab, c, 2, 3, 5, 5),
+                         z = __builtin_shufflevector(ab_z, c, 0, 1, 6, 6);
+      const AxisCounts groups_of = (counts + 3) >> 2;
+      result =
+          __builtin_convertvector(x * y + y * z + z * x, AxisCosts) * __builtin_convertvector(groups_of, AxisCosts);
+    }
+  };
+
   std::size_t count_of_bins() const { return static_cast<std::size_t>(bins_); }
   void put_each(std::span<const PrimitiveReference<Real>> references) {
     for (const PrimitiveReference<Real>& reference : references) put(reference);
@@ -212,8 +218,8 @@ class BinSet {
 #pragma GCC unroll 3
     for (int axis = 0; axis < 3; ++axis) {
       const auto bin = static_cast<std::size_t>(index[axis]);
-      boxes_[static_cast<std::size_t>(axis)][bin].include(reference);
-      ++counts_[static_cast<std::size_t>(axis)][bin];
+      boxes_[bin][static_cast<std::size_t>(axis)].include(reference);
+      ++counts_[bin][axis];
     }
   }
   static double groups(std::uint32_t count) {
@@ -228,13 +234,13 @@ class BinSet {
     split.binning = binning_;
     split.left_count = left_of(split);
     for (int i = 0; i < bins_; ++i)
-      (i < bin ? split.left : split.right).include(boxes_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(i)]);
+      (i < bin ? split.left : split.right).include(boxes_[static_cast<std::size_t>(i)][static_cast<std::size_t>(axis)]);
     return split;
   }
 
   int bins_;
-  std::array<std::array<Bounds<Real>, most_bins>, 3> boxes_;  ///< of the bins in use, as counts_
-  std::array<std::array<std::uint32_t, most_bins>, 3> counts_;
+  std::array<AxisBounds, most_bins> boxes_;  ///< of the bins in use, as counts_
+  std::array<AxisCounts, most_bins> counts_;
   Binning<Real> binning_;
 };
 

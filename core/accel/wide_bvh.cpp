@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "accel/four_lanes.h"
 #include "base/parallel.h"
 #include "base/stop.h"
 
@@ -28,27 +29,32 @@ void put_box(WideNode& node, std::size_t slot, const Box<float>& box) {
 
 // From the centres of the boxes, for all octants side by side: a child's place is the number of those before it.
 void order_children(WideNode& node, std::size_t count) {
-  std::array<std::array<float, 8>, wide_width> distance{};  // along the octant's diagonal
-  std::array<std::array<std::uint32_t, 8>, wide_width> place{};
+  using Lanes = FourLanes<float>;
+  struct Octants {                        // of one child: four that look up z, four that look down
+    std::array<Lanes::Type, 2> distance;  // along the octant's diagonal
+    std::array<Lanes::Index, 2> place{};
+  };
+  std::array<Octants, wide_width> children;
   for (std::size_t slot = 0; slot < wide_width; ++slot) {
-    std::array<float, 3> centre{};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      centre[axis] = node.planes[2 * axis][slot] + node.planes[2 * axis + 1][slot];
-    for (std::size_t octant = 0; octant < 8; ++octant)
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        distance[slot][octant] += (octant >> axis & 1u) != 0 ? -centre[axis] : centre[axis];
-    if (slot >= count) distance[slot].fill(std::numeric_limits<float>::infinity());
-    for (float& value : distance[slot])  // where sums overflow; every child needs a place of its own
-      value = value == value ? value : 0.0f;
+    constexpr Lanes::Type far = Lanes::Type{} + std::numeric_limits<float>::infinity();
+    const auto centre = [&](int axis) { return node.planes[2 * axis][slot] + node.planes[2 * axis + 1][slot]; };
+    const float x = centre(0), y = centre(1), z = centre(2);
+    const Lanes::Type along = Lanes::Type{x, -x, x, -x} + Lanes::Type{y, y, -y, -y};
+    Octants& child = children[slot];
+    child.distance = {along + z, along - z};
+    for (Lanes::Type& value : child.distance)  // where sums overflow; every child needs a place of its own
+      value = slot >= count ? far : value == value ? value : Lanes::Type{};
     for (std::size_t other = 0; other < slot; ++other)
-      for (std::size_t octant = 0; octant < 8; ++octant) {
-        const std::uint32_t behind = distance[other][octant] <= distance[slot][octant] ? 1 : 0;
-        place[slot][octant] += behind;
-        place[other][octant] += 1 - behind;
+#pragma GCC unroll 2
+      for (std::size_t half = 0; half < 2; ++half) {  // a comparison that holds is -1
+        const Lanes::Index other_first = children[other].distance[half] <= child.distance[half];
+        child.place[half] -= other_first;
+        children[other].place[half] += 1 + other_first;
       }
   }
   for (std::uint32_t slot = 0; slot < wide_width; ++slot)
-    for (std::size_t octant = 0; octant < 8; ++octant) node.order[place[slot][octant]] |= slot << (3 * octant);
+    for (int octant = 0; octant < 8; ++octant)
+      node.order[children[slot].place[static_cast<std::size_t>(octant / 4)][octant % 4]] |= slot << (3 * octant);
 }
 
 namespace {
