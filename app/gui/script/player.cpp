@@ -249,6 +249,16 @@ void ScriptPlayer::aim_at(const std::string& name) {
     after_frames(2);
     return Turn::again;
   });
+  // What stands beside it may have changed meanwhile, and a hand follows what it has in sight.
+  part([this, name, tries = std::make_shared<int>(0)] {
+    const ControlRecord* control = controls().find(name);
+    if (!control || !controls().visible(*control) || ++*tries > frames_to_reveal) return Turn::done;
+    const auto within = [](float value, float low, float high) { return value >= low && value < high; };
+    if (within(target_.x, control->min.x, control->max.x) && within(target_.y, control->min.y, control->max.y))
+      return Turn::done;
+    aim_at_point((control->min.x + control->max.x) / 2, (control->min.y + control->max.y) / 2);
+    return Turn::again;
+  });
 }
 
 void ScriptPlayer::press(MouseButton button, int clicks) {

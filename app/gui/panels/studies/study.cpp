@@ -21,6 +21,7 @@ namespace ps::gui {
 namespace {
 
 constexpr double between_controls = 8, enough_height = 320, least_result = 110;  // pixels at scale 1
+constexpr const char* long_estimate = "at least 100 min, 1000 pictures";         // hardly any is longer
 
 /// As many whole sentences from the beginning as fit into one line.
 std::string sentences_that_fit(const std::string& text, float width) {
@@ -146,8 +147,10 @@ bool StudyFrame::toolbar(Session& session, bool filled) {
   keep_estimate(session);
   const std::string word = measure_word(), known = expected();
   const std::string label = known.empty() ? word : fmt::format("{} ({})", word, known);
+  // The buttons stay in their line when the estimate comes: the pointer may be on its way to them.
+  const float widest = known.empty() ? button_width(word) : button_width(fmt::format("{} ({})", word, long_estimate));
   if (ImGui::GetCursorPosY() > start.y)
-    same_line_if_room(work_.running() ? pause_and_stop_width(words_) : button_width(label), px(between_controls));
+    same_line_if_room(std::max(widest, pause_and_stop_width(words_)), px(between_controls));
   const float end = ImGui::GetCursorScreenPos().x + pause_and_stop_width(words_);
   run_buttons(session, word, label);
   if (const float rest = end - ImGui::GetItemRectMax().x; rest > 0) {  // no button comes to lie under the pointer
