@@ -96,6 +96,7 @@ class ChildSlabs {
  private:
   void set_axis(const SlabRay<Real>& ray, int axis, Real low, Real middle, Real high) {
     const auto i = static_cast<std::size_t>(axis);
+    for (Real* const plane : {&low, &middle, &high}) *plane -= ray.origin[axis];
     const Real entering = ray.entering[axis], leaving = ray.leaving[axis], inverse = ray.inverse[axis];
     const bool down = ray.negative[i];
     near_[i][0] = ((down ? high : low) - entering) * inverse;

@@ -11,7 +11,8 @@ namespace ps {
 /// Which slab_test() a ray asks for.
 enum class SlabForm {
   robust,
-  naive  ///< as it is usually written; see naive_slab_test()
+  naive,    ///< as it is usually written; see naive_slab_test()
+  from_ray  ///< robust, with planes as they are seen from the ray's origin: see SlabRay::origin
 };
 
 /// A ray made ready for many tests against boxes. Boxes are grown by `pad` on every side without touching them: the ray
@@ -23,20 +24,24 @@ struct SlabRay {
   Vec3<Real> leaving{0};           ///< likewise where it leaves
   std::array<bool, 3> negative{};  ///< the direction points down this axis
   SlabForm form = SlabForm::robust;
+  /// From where planes, `entering` and `leaving` are seen: the world's origin, or with SlabForm::from_ray the ray's.
+  /// Far from the world's origin the ray's coordinates are rounded by more than the pad, which would be lost in a sum.
+  Vec3<Real> origin{0};
 
   SlabRay() = default;
-  SlabRay(const Vec3<Real>& origin, const Vec3<Real>& direction, Real pad, SlabForm slab_form = SlabForm::robust)
-      : SlabRay(origin, direction, Vec3<Real>(pad), slab_form) {}
+  SlabRay(const Vec3<Real>& ray_origin, const Vec3<Real>& direction, Real pad, SlabForm slab_form = SlabForm::robust)
+      : SlabRay(ray_origin, direction, Vec3<Real>(pad), slab_form) {}
   /// With a pad for each axis.
-  SlabRay(const Vec3<Real>& origin, const Vec3<Real>& direction, const Vec3<Real>& pad,
+  SlabRay(const Vec3<Real>& ray_origin, const Vec3<Real>& direction, const Vec3<Real>& pad,
           SlabForm slab_form = SlabForm::robust)
-      : form(slab_form) {
+      : form(slab_form), origin(form == SlabForm::from_ray ? ray_origin : Vec3<Real>(0)) {
+    const Vec3<Real> start = ray_origin - origin;
     for (int axis = 0; axis < 3; ++axis) {
       inverse[axis] = Real(1) / direction[axis];
       const bool down = std::signbit(direction[axis]);
       negative[static_cast<std::size_t>(axis)] = down;
-      entering[axis] = down ? origin[axis] - pad[axis] : origin[axis] + pad[axis];
-      leaving[axis] = down ? origin[axis] + pad[axis] : origin[axis] - pad[axis];
+      entering[axis] = down ? start[axis] - pad[axis] : start[axis] + pad[axis];
+      leaving[axis] = down ? start[axis] + pad[axis] : start[axis] - pad[axis];
     }
   }
 };
@@ -70,11 +75,10 @@ inline constexpr Real slab_growth = 1 + 2 * (3 * (std::numeric_limits<Real>::eps
 
 /// The slab test (Kay and Kajiya) in Ize's robust form (JCGT 2013): the far end grows by the rounding error of the near
 /// and the far end, so that no ray is lost between two boxes that touch. Planes are taken in the order in which the ray
-/// meets them, and comparisons are false for NaN (0 * infinity), which then leaves the range as it is.
+/// meets them, and comparisons are false for NaN (0 * infinity), which then leaves the range as it is. The box is as
+/// seen from ray.origin.
 template <class Real>
-inline SlabRange<Real> slab_test(const SlabRay<Real>& ray, const Box<Real>& box, Real limit) {
-  if (ray.form == SlabForm::naive) [[unlikely]]
-    return naive_slab_test(ray, box, limit);
+inline SlabRange<Real> robust_slab_test(const SlabRay<Real>& ray, const Box<Real>& box, Real limit) {
   SlabRange<Real> range{0, limit};
   for (int axis = 0; axis < 3; ++axis) {
     const bool down = ray.negative[static_cast<std::size_t>(axis)];
@@ -85,6 +89,15 @@ inline SlabRange<Real> slab_test(const SlabRay<Real>& ray, const Box<Real>& box,
     if (far < range.far) range.far = far;
   }
   return range;
+}
+
+/// In the ray's own form.
+template <class Real>
+inline SlabRange<Real> slab_test(const SlabRay<Real>& ray, const Box<Real>& box, Real limit) {
+  if (ray.form == SlabForm::robust) [[likely]]
+    return robust_slab_test(ray, box, limit);
+  if (ray.form == SlabForm::naive) return naive_slab_test(ray, box, limit);
+  return robust_slab_test(ray, {box.low - ray.origin, box.high - ray.origin}, limit);
 }
 
 }  // namespace ps

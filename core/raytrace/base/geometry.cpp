@@ -198,7 +198,7 @@ void measure_shared(TracedGeometry<Real>& geometry) {
     else
       all.include(primitive_box(geometry, primitive));
   }
-  geometry.reach = geometry.float_reach = all.reach();
+  geometry.reach = geometry.float_reach = geometry.seen.reach = all.reach();
 }
 
 template <class Real>
@@ -252,6 +252,8 @@ TracedGeometry<Real> build_geometry(const Scene& scene, NormalTransform normals,
     }
   geometry.float_reach = all.reach();
   geometry.reach = std::max(all.reach(), large.reach());
+  all.include(large);
+  geometry.seen = seen_from(all, geometry.reach, geometry.solids.empty());
   return geometry;
 }
 

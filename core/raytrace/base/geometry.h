@@ -12,6 +12,7 @@
 #include "math/unit.h"
 #include "options/settings.h"
 #include "raytrace/base/placed_instance.h"
+#include "raytrace/base/seen_from.h"
 #include "scene/form_frame.h"
 #include "scene/scene.h"
 
@@ -115,6 +116,7 @@ struct TracedGeometry {
   bool some_in_double = false;             ///< of the primitives
   Real reach = 0;                          ///< the largest absolute coordinate of any bounded primitive's box
   Real float_reach = 0;                    ///< the same without the triangles that are tested in double
+  SeenFrom<Real> seen;                     ///< how the boxes of all bounded primitives are best seen
 
   std::size_t heap_bytes() const {
     return owned_bytes(primitives, instances, numbers, spheres, triangles, attributes, forms, places, solids,

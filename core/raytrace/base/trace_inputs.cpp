@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "math/unit.h"
+#include "options/triangle_tests.h"
 #include "raytrace/base/eye_bodies.h"
 #include "raytrace/base/fast_path.h"
 #include "scene/world.h"
@@ -18,6 +19,15 @@ Real padding(const Settings& settings) {
   constexpr Real u = std::numeric_limits<Real>::epsilon() / 2;
   constexpr Real operations = 32;
   return settings.sphere_test == SphereTest::quadratic ? std::sqrt(operations * u) : operations * u;
+}
+
+/// Boxes are seen from rays where geometry.seen says so, if the tests of primitives too begin with differences from the
+/// ray's origin: those that SIMD repeats do.
+template <class Real>
+SlabForm slab_form(const Settings& settings, const TracedGeometry<Real>& geometry) {
+  if (settings.slab_test == SlabTest::naive) return SlabForm::naive;
+  const bool by_differences = row_of(settings.triangle_test).simd && settings.sphere_test == SphereTest::robust;
+  return by_differences && geometry.seen.centre != Vec3<Real>(0) ? SlabForm::from_ray : SlabForm::robust;
 }
 
 /// The book's interval of t is closed (CGFS ch. 2), and the rasterizer keeps what lies right on a clipping plane. A ray
@@ -79,6 +89,7 @@ TraceInputs<Real> make_trace_inputs(const Scene& scene, const View& view, const 
   inputs.reflection_epsilon = static_cast<Real>(settings.reflection_epsilon);
   inputs.reflection_cutoff = static_cast<Real>(settings.reflection_cutoff);
   inputs.box_padding = padding<Real>(settings);
+  inputs.slab_form = slab_form(settings, *inputs.geometry);
   return inputs;
 }
 

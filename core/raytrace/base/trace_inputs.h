@@ -45,6 +45,7 @@ struct TraceInputs {
   Real near = 0, far = 0;  ///< of eye rays, a few roundings further out: what lies right on a limit is seen
   Real triangle_epsilon = 0, shadow_epsilon = 0, reflection_epsilon = 0, reflection_cutoff = 0;
   Real box_padding = 0;  ///< how far boxes are grown, in units of the sizes of the coordinates involved
+  SlabForm slab_form = SlabForm::robust;  ///< of the clear path
 };
 
 /// `channels` are those that the picture stores: some of them only the clear path knows.

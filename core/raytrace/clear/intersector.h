@@ -38,11 +38,13 @@ class Intersector final : public RaySearch<Real> {
   bool test(const Query& query, std::uint32_t index, Hit<Real>& best) const;
   /// The ray as accelerators take it.
   CandidateRay<Real> candidate(const Ray<Real>& ray) const {
-    const bool naive = inputs_.settings.slab_test == SlabTest::naive;
-    return {ray.origin, ray.direction, inputs_.box_padding * reach(ray), naive ? SlabForm::naive : SlabForm::robust};
+    return {ray.origin, ray.direction, inputs_.box_padding * reach(ray), inputs_.slab_form};
   }
-  /// The largest coordinate, of the scene or of the ray's origin.
-  Real reach(const Ray<Real>& ray) const { return std::max(geometry_.reach, largest_component(ray.origin)); }
+  /// The largest coordinate, of the scene or of the ray's origin, as boxes are seen.
+  Real reach(const Ray<Real>& ray) const {
+    if (inputs_.slab_form != SlabForm::from_ray) return std::max(geometry_.reach, largest_component(ray.origin));
+    return std::max(geometry_.seen.reach, largest_component(ray.origin - geometry_.seen.centre));
+  }
 
  private:
   enum class Find { nearest, any };

@@ -12,7 +12,7 @@ WideTriangle wide_triangle(const TracedGeometry<float>& geometry, std::uint32_t 
 }
 
 WideGeometry seen_well(WideGeometry made, const TracedGeometry<float>& traced) {
-  const SeenFrom seen = see_from_well(made.triangles.nodes, made.others, traced);
+  const SeenFrom<float> seen = see_from_well(made.triangles.nodes, made.others, traced);
   made.triangles.centre = seen.centre;
   made.reach = seen.reach;
   return made;
@@ -20,9 +20,8 @@ WideGeometry seen_well(WideGeometry made, const TracedGeometry<float>& traced) {
 
 }  // namespace
 
-SeenFrom see_from_well(LargeArray<WideNode>& nodes, const Bvh<float>& others, const TracedGeometry<float>& traced) {
-  constexpr float far = 16;  // nearer ones keep the planes that they have
-  const SeenFrom world{Vec3f(0), traced.float_reach};
+SeenFrom<float> see_from_well(LargeArray<WideNode>& nodes, const Bvh<float>& others,
+                              const TracedGeometry<float>& traced) {
   Box<float> box;
   if (!others.nodes.empty()) box = others.nodes[0].box;
   for (std::size_t slot = 0; slot < wide_width; ++slot)
@@ -30,12 +29,9 @@ SeenFrom see_from_well(LargeArray<WideNode>& nodes, const Bvh<float>& others, co
       box.low[axis] = std::min(box.low[axis], nodes[0].planes[2 * axis][slot]);
       box.high[axis] = std::max(box.high[axis], nodes[0].planes[2 * axis + 1][slot]);
     }
-  if (box.empty() || !traced.solids.empty()) return world;
-  const Vec3f middle = (box.low + box.high) * 0.5f;
-  const float reach = std::max(largest_component(box.low - middle), largest_component(box.high - middle));
-  if (!(world.reach > far * reach)) return world;
-  see_from(middle, nodes);
-  return {middle, reach};
+  const SeenFrom<float> seen = seen_from(box, traced.float_reach, traced.solids.empty());
+  if (seen.centre != Vec3f(0)) see_from(seen.centre, nodes);
+  return seen;
 }
 
 Bvh<float> tree_over(const TracedGeometry<float>& geometry, const std::vector<std::uint32_t>& primitives) {

@@ -16,17 +16,9 @@ struct WideGeometry {
 
   std::size_t heap_bytes() const { return owned_bytes(triangles, others); }
 };
-/// The point from which boxes are seen, and the largest coordinate of their contents as seen from there.
-struct SeenFrom {
-  Vec3f centre{0};
-  float reach = 0;
-};
-/// Chooses it for a tree and `others`, and turns the tree's nodes to it. Boxes are grown by some rounding errors of the
-/// coordinates, so that none turns away what a test accepts. The tests of triangles and spheres begin with differences
-/// between the primitive's numbers and the ray's origin: it makes no difference to them where in the world both are. If
-/// the scene lies far from the world's origin for its size, errors of the world's coordinates would be larger than its
-/// boxes, and reject nothing. Solids keep the world's: their tests may begin otherwise.
-SeenFrom see_from_well(LargeArray<WideNode>& nodes, const Bvh<float>& others, const TracedGeometry<float>& traced);
+/// Chooses from where a tree and `others` are seen (seen_from()), and turns the tree's nodes to it.
+SeenFrom<float> see_from_well(LargeArray<WideNode>& nodes, const Bvh<float>& others,
+                              const TracedGeometry<float>& traced);
 
 /// The tree of boxes.
 std::shared_ptr<const WideGeometry> wide_geometry(const Scene& scene, const TracedGeometry<float>& geometry,

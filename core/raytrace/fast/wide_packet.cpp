@@ -65,7 +65,7 @@ HWY_INLINE bool all_or_none(M mask) {
   return hn::AllTrue(d, mask) || hn::AllFalse(d, mask);
 }
 
-bool make(std::span<const Ray<float>> rays, const SeenFrom& seen, float padding, WidePacket& packet) {
+bool make(std::span<const Ray<float>> rays, const SeenFrom<float>& seen, float padding, WidePacket& packet) {
   static_assert(offsetof(Ray<float>, direction) == 12 && offsetof(Ray<float>, t_min) == 24 &&
                 offsetof(Ray<float>, t_max) == 28);
   const D d;
