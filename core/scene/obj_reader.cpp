@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "base/input_errors.h"
 #include "base/number_text.h"
 #include "base/spelling.h"
 #include "math/unit.h"
@@ -82,7 +83,9 @@ class ObjReader {
 
   ObjText run() {
     ObjLines lines(text_, file_, most_obj_line);
-    while (auto line = lines.next()) statement(*line);
+    FaultGatherer faults;
+    while (auto line = lines.next()) faults.gather([&] { statement(*line); });
+    faults.throw_all();
     require_faces(lines.count());
     require_positions();
     cut_polygons();
@@ -329,10 +332,14 @@ class ObjReader {
 
   /// Every vertex of a face has a place.
   void require_positions() {
-    if (largest_position_ >= static_cast<std::int64_t>(mesh_.positions.size())) fail_at_large_index();
+    if (largest_position_ >= static_cast<std::int64_t>(mesh_.positions.size())) fail_at_large_indices();
+    std::set<std::uint32_t> absent;
     for (const MeshTriangle& triangle : mesh_.triangles)
       for (const std::uint32_t position : triangle.position)
-        if (is_absent(mesh_.positions[position])) fail_at_vertex(position);
+        if (is_absent(mesh_.positions[position])) absent.insert(position);
+    FaultGatherer faults;
+    for (const std::uint32_t position : absent) faults.gather([&] { fail_at_vertex(position); });
+    faults.throw_all();
     for (Vec3d& place : mesh_.positions)
       if (is_absent(place)) place = mesh_.positions[mesh_.triangles[0].position[0]];
   }
@@ -348,20 +355,24 @@ class ObjReader {
     std::abort();
   }
 
-  [[noreturn]] void fail_at_large_index() const {
+  /// Of each face the first.
+  [[noreturn]] void fail_at_large_indices() const {
     ObjLines lines(text_, file_, most_obj_line);
-    while (auto line = lines.next()) {
-      const std::string_view statement = line->next();
-      if (statement != "f" && statement != "fo") continue;
-      ObjLine ahead = *line;
-      if (ahead.next().empty() || ahead.next().empty() || ahead.next().empty()) continue;
-      for (std::string_view word = line->next(); !word.empty(); word = line->next()) {
-        const std::int64_t index = position_index(*line, word.substr(0, word.find('/')));
-        if (index > static_cast<std::int64_t>(mesh_.positions.size())) fail_index(*line, index, mesh_.positions.size());
-      }
-    }
+    FaultGatherer faults;
+    while (auto line = lines.next()) faults.gather([&] { require_known_indices(*line); });
+    faults.throw_all();
     PS_ASSERT(false, "the index is in the file");
     std::abort();
+  }
+  void require_known_indices(ObjLine& line) const {
+    const std::string_view statement = line.next();
+    if (statement != "f" && statement != "fo") return;
+    ObjLine ahead = line;
+    if (ahead.next().empty() || ahead.next().empty() || ahead.next().empty()) return;
+    for (std::string_view word = line.next(); !word.empty(); word = line.next()) {
+      const std::int64_t index = position_index(line, word.substr(0, word.find('/')));
+      if (index > static_cast<std::int64_t>(mesh_.positions.size())) fail_index(line, index, mesh_.positions.size());
+    }
   }
 
   /// Replaces the fans that face() made by a triangulation that also holds for polygons that are not convex.

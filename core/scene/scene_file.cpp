@@ -118,17 +118,16 @@ void note_lost_names(const SceneEntry& entry, SceneDraft& draft) {
 /// Goes on behind an entry with an error, so that those of other entries are found as well. An entry that only misses
 /// what an earlier one failed to define has none of its own. Behind an include too much is missing to go on.
 void read_text(std::string_view text, const SceneSource& source, SceneDraft& draft) {
-  constexpr std::size_t most_errors = 5;
   const std::size_t depth = draft.including.size();
   for (const SceneEntry& entry : scene_tree(text, source.values.file())) {
     try {
       read_entry(source, entry, draft);
-    } catch (const InputErrors&) {
-      throw;  // of an included file
     } catch (const InputError& error) {
+      if (draft.errors.empty() && dynamic_cast<const InputErrors*>(&error)) throw;  // of an included file or a model
       const auto& lost = draft.lost_names;
       if (std::find(lost.begin(), lost.end(), error.found()) == lost.end()) draft.errors.push_back(error);
-      if (entry.key == "include" || draft.errors.size() == most_errors) throw InputErrors(std::move(draft.errors));
+      if (entry.key == "include" || draft.errors.size() == most_input_errors)
+        throw InputErrors(std::move(draft.errors));
       note_lost_names(entry, draft);
       draft.including.resize(depth);
       draft.group = {};

@@ -1,8 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <ostream>
+#include <vector>
 
-#include "base/check.h"
+#include "base/input_errors.h"
 #include "obj_corpus.h"
 #include "support/refusal.h"
 
@@ -66,6 +67,26 @@ INSTANTIATE_TEST_SUITE_P(
         BadModel{"nothing", "", 0, 0, "an empty file", "a scene or model"},
         BadModel{"carriage_returns_alone", "v 0 0 0\rv 1 x 0\r", 2, 5, "'x'", "a number"}),
     [](const auto& bad) { return std::string(bad.param.name); });
+
+/// All at once, so that not each needs another try; five are enough.
+TEST(ObjErrors, SeveralLinesAreToldTogether) {
+  const ps::test::ModelFolder folder;
+  const auto lines_of = [&](const std::string& text) {
+    std::vector<int> lines;
+    try {
+      folder.load(text);
+    } catch (const ps::InputErrors& errors) {
+      for (const ps::InputError& error : errors.all()) lines.push_back(error.place().line);
+    }
+    return lines;
+  };
+  const std::string good = three_vertices + "f 1 2 3\n";
+  EXPECT_EQ(lines_of(good), (std::vector<int>{}));
+  EXPECT_EQ(lines_of(good + "f 1 2 0\nf 1 3 2\nf a b c\n"), (std::vector{5, 7}));                      // no references
+  EXPECT_EQ(lines_of(good + "f 1 2 9\nf 1 3 2\nf 8 7 1\n"), (std::vector{5, 7}));                      // to no vertices
+  EXPECT_EQ(lines_of("v x 0 0\nv 0 x 0\nv 1 0 0\nv y 0 0\nf 1 2 3\nf 1 3 2\n"), (std::vector{1, 2}));  // those in use
+  EXPECT_EQ(lines_of(good + "f 0 0 0\nf 0 0 0\nf 0 0 0\nf 0 0 0\nf 0 0 0\nf 0 0 0\n"), (std::vector{5, 6, 7, 8, 9}));
+}
 
 // Not one of the corpus: whatever tests of this program run, each start would copy its text.
 TEST(ObjErrors, ALineOfMillionsOfBytes) {
