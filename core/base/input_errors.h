@@ -7,7 +7,7 @@
 
 namespace ps {
 
-/// As many faults of one input are told at once.
+/// As many faults of one input are reported at once.
 inline constexpr std::size_t most_input_errors = 5;
 
 /// Several faults of one input: an InputError about the first of them, which knows the others.
@@ -24,7 +24,7 @@ class InputErrors : public InputError {
 /// Reads on behind a fault, until there are enough of them.
 class FaultGatherer {
  public:
-  /// Calls `read` and keeps the fault that it ends with. Throws InputErrors with the last one that is told.
+  /// Calls `read` and keeps the fault that it ends with. Throws InputErrors with the last one that is reported.
   template <class Read>
   void gather(Read&& read) {
     try {

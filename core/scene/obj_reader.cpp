@@ -355,7 +355,7 @@ class ObjReader {
     std::abort();
   }
 
-  /// Of each face the first.
+  /// Names the first of each face.
   [[noreturn]] void fail_at_large_indices() const {
     ObjLines lines(text_, file_, most_obj_line);
     FaultGatherer faults;

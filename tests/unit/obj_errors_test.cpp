@@ -68,8 +68,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadModel{"carriage_returns_alone", "v 0 0 0\rv 1 x 0\r", 2, 5, "'x'", "a number"}),
     [](const auto& bad) { return std::string(bad.param.name); });
 
-/// All at once, so that not each needs another try; five are enough.
-TEST(ObjErrors, SeveralLinesAreToldTogether) {
+/// All at once, so that not each needs another try. Five are enough.
+TEST(ObjErrors, SeveralLinesAreReportedTogether) {
   const ps::test::ModelFolder folder;
   const auto lines_of = [&](const std::string& text) {
     std::vector<int> lines;

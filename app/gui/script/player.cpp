@@ -249,7 +249,7 @@ void ScriptPlayer::aim_at(const std::string& name) {
     after_frames(2);
     return Turn::again;
   });
-  // What stands beside it may have changed meanwhile, and a hand follows what it has in sight.
+  // The controls beside it may have changed meanwhile, and a hand follows the one that it has in sight.
   part([this, name, tries = std::make_shared<int>(0)] {
     const ControlRecord* control = controls().find(name);
     if (!control || !controls().visible(*control) || ++*tries > frames_to_reveal) return Turn::done;

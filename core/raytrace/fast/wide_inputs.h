@@ -18,7 +18,7 @@ struct WideInputs {
   std::shared_ptr<const ListGeometry> list;        ///< with accelerator = none
   std::shared_ptr<const WideInstances> instances;  ///< with accelerator = two-level
   bool only_triangles = false;                     ///< the scene holds nothing else
-  SeenFrom<float> seen;                                   ///< how boxes are seen
+  SeenFrom<float> seen;                            ///< how boxes are seen
   WideSearches searches;
   InstanceSearches instance_searches;
   PacketSearches packets;  ///< for rays of neighbouring pixels in `wide`; may be missing

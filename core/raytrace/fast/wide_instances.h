@@ -34,7 +34,7 @@ struct WideInstance {
 /// TwoLevel as SIMD searches it: both levels are trees eight wide.
 struct WideInstances {
   LargeArray<WideNode> top;  ///< each leaf is an instance: its index, plus 1, since wide_empty_block is none
-  SeenFrom<float> seen;             ///< how `top` is seen
+  SeenFrom<float> seen;      ///< how `top` is seen
   std::vector<WideModel> models;
   std::vector<WideInstance> instances;
   Bvh<float> others;  ///< over all that is not an instance; its order holds numbers of primitives

@@ -38,7 +38,8 @@ struct alignas(64) WidePacketHits {
 /// they cannot go together: they must point into one octant, mostly along one axis, not start on a surface, and none
 /// may have a direction that is tiny beside its reach, or a number that is not finite. `padding`: WideQuery::pad for a
 /// reach of 1.
-using PacketMaker = bool (*)(std::span<const Ray<float>> rays, const SeenFrom<float>& seen, float padding, WidePacket& packet);
+using PacketMaker = bool (*)(std::span<const Ray<float>> rays, const SeenFrom<float>& seen, float padding,
+                             WidePacket& packet);
 using PacketSearch = void (*)(const WideBvh& bvh, const WidePacket& packet, WidePacketHits& hits, WideCount& count);
 /// Bit i: ray i may meet something in the box, which is grown as in WideQuery. `centre`: as in WideBvh.
 using PacketBoxTest = unsigned (*)(const Box<float>& box, const WidePacket& packet, const Vec3f& centre);
