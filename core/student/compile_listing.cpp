@@ -34,6 +34,7 @@ std::vector<std::string> compiler_command(const std::filesystem::path& compiler)
           "-fdiagnostics-color=never",
           std::string("-I") + kit_headers,
           source_name,
+          "-Wl,--undefined=pixelscope_listing_main",
           kit_library,
           "-o",
           program_name};
