@@ -5,7 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "math/power.h"  // IWYU pragma: export
+#include "math/portable.h"  // IWYU pragma: export
+#include "math/power.h"     // IWYU pragma: export
 #include "scene/camera.h"
 #include "scene/canvas_item.h"
 #include "scene/mesh.h"
@@ -16,6 +17,14 @@
 namespace ps {
 
 inline double length(const Vec3d& v) { return std::sqrt(dot(v, v)); }
+
+/// A camera as a photographer describes it, without a roll: the target lies on its line of sight.
+struct BookView {
+  Vec3d position{0, 0, 0}, target{0, 0, 1};
+  double degrees = 0;  ///< from the upper border of the picture to its lower one
+};
+
+BookView book_view(const Camera& camera);
 
 /// A point (w = 1) through a matrix.
 inline Vec3d transform(const Mat4d& m, const Vec3d& p) {

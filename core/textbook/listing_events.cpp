@@ -65,7 +65,8 @@ Settings settings_as_listed(const NamedListing& listing, const Scene& scene, con
     if (const Option* option = find_option(key)) option->set(as, option->get(settings));
   // Listings know some values alone: the nearest texel or the four around a place; filled triangles with outlines or
   // without.
-  if (as.texture_filter != TextureFilter::bilinear) as.texture_filter = TextureFilter::nearest;
+  if (listing_reads(listing, "texture-filter") && as.texture_filter != TextureFilter::bilinear)
+    as.texture_filter = TextureFilter::nearest;
   if (listing_reads(listing, "draw") && as.draw != Draw::outlined) as.draw = Draw::filled;
   return as;
 }

@@ -28,7 +28,7 @@ TEST(LessonColumn, AKeyAndTabsChooseAndANewStepShowsItsText) {
                    // An answer's verdict is in the text.
                    "key Shift+PageDown\nwait idle\nclick column/tool\n" + tool + "click listing/line-41/pick\n" + fits +
                    "click question/answer\nwait idle\n" + text + "expect lesson/ask-again contains again\n" + fits,
-               large + "cgfs_02_basic_ray_tracing/9");
+               large + "cgfs_02_basic_ray_tracing/6");
 }
 
 // The line is clicked in the listing, which stands behind the task: a button leads there, and one leads back.
@@ -42,13 +42,13 @@ TEST(LessonColumn, AQuestionForALineLeadsToTheListingAndBack) {
                      tool + "click listing/line-41/pick\n" + tool + "expect question/answer \"Answer: line 41\"\n" +
                      "click question/turn\n" + text + "expect question/answer \"Answer: line 41\"\n" +
                      "click question/answer\nwait idle\nexpect lesson/column text\nexpect question/points 1\n" + fits,
-                 large + "cgfs_02_basic_ray_tracing/10", size);
+                 large + "cgfs_02_basic_ray_tracing/7", size);
 }
 
 // Of the second one no line has values at the pixel, which is said above the code.
 TEST(LessonColumn, AQuestionForALineLeavesTheListingItsLines) {
   for (const std::string size : {"1024x768", "1366x768"})
-    for (const std::string step : {"cgfs_02_basic_ray_tracing/10", "cgfs_07_filled_triangles/8"})
+    for (const std::string step : {"cgfs_02_basic_ray_tracing/7", "cgfs_07_filled_triangles/8"})
       expect_plays("lines-" + size,
                    "click question/turn\nwait idle\nexpect listing/lines > 23\n" + fits +
                        "click listing/line-19/pick\nexpect listing/lines > 23\nexpect question/answer \"Answer: line "
@@ -71,9 +71,9 @@ TEST(LessonColumn, ReadingOnComesToTheToolBehindTheLastPage) {
       "click question/skip\nwait frames 6\nexpect lesson/pages 4\nexpect lesson/page 3\nkey PageDown\nwait frames "
       "4\nexpect lesson/page 4\nexpect lesson/column text\nkey PageDown\nwait frames 4\nexpect lesson/column "
       "tool\nkey PageUp\nwait frames 4\nexpect lesson/column text\nexpect lesson/page 4\nkey PageDown\nwait "
-      "frames 4\nexpect lesson/column tool\nexpect step 2\nkey PageDown\nwait frames 4\nexpect "
-      "step 3\nexpect lesson/column text\n",
-      large + "study_speed_and_accuracy/2");
+      "frames 4\nexpect lesson/column tool\nexpect step 3\nkey PageDown\nwait frames 4\nexpect "
+      "step 4\nexpect lesson/column text\n",
+      large + "study_speed_and_accuracy/3");
 }
 
 TEST(LessonColumn, AToolThatIsChosenIsShown) {
@@ -83,7 +83,7 @@ TEST(LessonColumn, AToolThatIsChosenIsShown) {
                    // What belongs to the text is looked for there, what belongs to the tool is looked for here.
                    "click lesson/again\nwait frames 6\nexpect lesson/column text\nexpect stage chart\n"
                    "click chart/change\nwait frames 4\nexpect lesson/column tool\nkey Esc\n",
-               large + "study_speed_and_accuracy/2");
+               large + "study_speed_and_accuracy/3");
 }
 
 // An experiment of the palette comes into sight, also where the step's own tool is the one that shows it.
@@ -98,12 +98,12 @@ TEST(LessonColumn, TheListingsMenuHasWhatIsAboveTheCodeElsewhere) {
   expect_plays("menu",
                "key V\nwait idle\nclick listing/copy\nwait frames 6\nexpect own/open on\n" + fits +
                    "click listing/own/close\nwait idle\nexpect own/open off\nclick listing/picture\nwait idle\n" + fits,
-               large + "cgfs_02_basic_ray_tracing/7");
+               large + "cgfs_02_basic_ray_tracing/11");
 }
 
 TEST(LessonColumn, IsNotThereWhereAllHasRoom) {
   expect_plays("room", "expect lesson/column both\nexpect window/pictures-share > 14\n",
-               "--lesson cgfs_02_basic_ray_tracing/7", "1366x768");
+               "--lesson cgfs_02_basic_ray_tracing/11", "1366x768");
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ TEST(LongLoad, CanBeCancelledWhileALineIsAskedFor) {
                                          "expect loading none\n"
                                          "expect question/answer \"Answer: line 167\"\n"
                                          "quit\n",
-                                     folder, "1024x768", "--scale 1.5 --lesson cgfs_15_shadows_in_the_rasterizer/8");
+                                     folder, "1024x768", "--scale 1.5 --lesson cgfs_15_shadows_in_the_rasterizer/3");
   EXPECT_EQ(result.status, 0) << result.errors;
   std::filesystem::remove(folder / "sheet.obj");
 }

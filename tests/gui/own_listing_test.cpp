@@ -56,7 +56,7 @@ TEST(OwnListingWindow, ACopyIsCompiledOnSaveAndStandsAsB) {
                          "  for (volatile int i = 0;; i = i + 1) {}\n  double closest_t = infinity;\n")) +
       "\nwait until own/saves 4\nwait 1500\nclick listing/own/stop\nwait idle\n" +
       "expect listing/own/state contains Stopped\nclick listing/own/close\nwait idle\nexpect own/open off\nquit\n";
-  const auto result = ps::test::play(script, folder, "1366x768", "--lesson cgfs_02_basic_ray_tracing/7");
+  const auto result = ps::test::play(script, folder, "1366x768", "--lesson cgfs_02_basic_ray_tracing/11");
   EXPECT_EQ(result.status, 0) << result.errors << result.output;
 }
 
@@ -75,7 +75,7 @@ TEST(OwnListingWindow, NothingIsCompiledBeforeAClick) {
                              "screenshot " +
                              (folder / "asked.png").string() +
                              "\nclick listing/own/allow\nwait idle\nexpect own/open on\nexpect own/wrong 0\nquit\n";
-  const auto result = ps::test::play(script, folder, "1366x768", "--lesson cgfs_02_basic_ray_tracing/7");
+  const auto result = ps::test::play(script, folder, "1366x768", "--lesson cgfs_02_basic_ray_tracing/11");
   EXPECT_EQ(result.status, 0) << result.errors << result.output;
 }
 

@@ -39,7 +39,7 @@ TEST(Presenter, AsksWithChoicesAndRevealsByTheKeyThatReadsOn) {
 
 TEST(Presenter, HasTheStepsToolBesideThePictures) {
   expect_plays("tool", "key F5\nwait idle\nexpect listing/values > 0\nexpect window/pictures-share > 14\n" + fits,
-               "cgfs_02_basic_ray_tracing/7");
+               "cgfs_02_basic_ray_tracing/11");
 }
 
 /// "LEFT,TOP RIGHT,BOTTOM", in window pixels.
@@ -58,7 +58,7 @@ TEST(Presenter, HasAFigureBesideThePictures) {
       ps::test::play("wait idle\nkey F5\nwait idle\nkey PageDown\nwait idle\nkey PageDown\nwait idle\n"
                      "key PageDown\nwait idle\nprint area/pictures\nprint area/stage\n" +
                          fits + "expect figure contains \"the eye is beta\"\nquit\n",
-                     ps::fresh_output_folder("gui-presenter-figure"), "1366x768", "--lesson cgfs_03_light/5");
+                     ps::fresh_output_folder("gui-presenter-figure"), "1366x768", "--lesson cgfs_03_light/7");
   ASSERT_EQ(run.status, 0) << run.errors;
   std::istringstream lines(run.output);
   const Place pictures = place_in(lines), figure = place_in(lines);

@@ -94,7 +94,7 @@ TEST_P(WindowShares, ATallToolLeavesThePicturesTheirShare) {
   const auto shares =
       printed("wait idle\nprint window/pictures-share\nkey Shift+PageDown\nwait idle\n"
               "click question/skip\nwait idle\nexpect compare split\nexpect stage chart\nprint window/pictures-share\n",
-              "gui-share-tall", size, "--scale " + type + " --lesson study_speed_and_accuracy");
+              "gui-share-tall", size, "--scale " + type + " --lesson study_speed_and_accuracy/2");
   ASSERT_EQ(shares.size(), 2u);
   for (const double share : shares) EXPECT_GE(share, tool_share) << size << ", type " << type;
 }

@@ -27,7 +27,7 @@ class ScratchFolder {
   const std::filesystem::path& path() const { return path_; }
   /// Path of a file in the folder.
   std::string file(const std::string& name) const { return (path_ / name).string(); }
-  /// Writes a file there and gives its path.
+  /// Writes a file there, in a folder of it if the name has one, and gives its path.
   std::string write(const std::string& name, const std::string& text) const;
   /// Names of what lies in the folder, sorted.
   std::vector<std::string> names() const;

@@ -16,12 +16,6 @@ namespace {
 
 using namespace ps;
 
-Settings with_accelerator(Accelerator accelerator) {
-  Settings settings;
-  settings.accelerator = accelerator;
-  return settings;
-}
-
 PixelStory story_with(const Scene& scene, const Settings& settings) {
   return inspect(scene, {scene.camera, 60, 60}, settings, {30, 35});
 }
@@ -32,7 +26,7 @@ bool has_field(const std::vector<EventField>& fields, std::string_view key) {
 
 TEST(BoundingSphereStory, NodesAreTheSpheresOfTheTree) {
   const Scene scene = load_scene("cgfs/spheres");
-  const Settings settings = with_accelerator(Accelerator::bounding_spheres);
+  const Settings settings{.accelerator = Accelerator::bounding_spheres};
   Prepared prepared;
   const auto geometry = traced_geometry<float>(scene, settings, prepared);
   const auto accelerator = traced_accelerator<float>(scene, *geometry, settings, prepared);
@@ -55,7 +49,7 @@ TEST(BoundingSphereStory, NodesAreTheSpheresOfTheTree) {
 
 TEST(BoundingSphereStory, SpaceDrawsGreatCircles) {
   const Scene scene = load_scene("cgfs/spheres");
-  const Settings settings = with_accelerator(Accelerator::bounding_spheres);
+  const Settings settings{.accelerator = Accelerator::bounding_spheres};
   const PixelStory story = story_with(scene, settings);
   const SpaceModel model = build_space(scene, {scene.camera, 60, 60}, settings, &story);
   int drawn = 0;
@@ -74,7 +68,7 @@ TEST(BoundingSphereStory, SpaceDrawsGreatCircles) {
 
 TEST(BoundingSphereStory, OtherNodesStayBoxes) {
   const Scene scene = load_scene("cgfs/cubes");
-  for (const Event& event : story_with(scene, with_accelerator(Accelerator::octree)).events)
+  for (const Event& event : story_with(scene, Settings{.accelerator = Accelerator::octree}).events)
     if (const auto* node = std::get_if<NodeEvent>(&event.data)) {
       EXPECT_EQ(node->radius, 0);
       EXPECT_TRUE(describe(event, scene).starts_with("box "));

@@ -5,28 +5,20 @@
 #include <nlohmann/json.hpp>
 
 #include "image/metrics.h"
-#include "image/png_chunks.h"
 #include "image/pnm.h"
 #include "study/metric.h"
+#include "support/png_parts.h"
 #include "support/run_cli.h"
 
-namespace ps {
-namespace compare_files_test {
+namespace ps::compare_files_test {
 namespace {
 
 using nlohmann::json;
+using test::big_endian;
+using test::png_chunk;
 using test::run_cli;
 using test::run_cli_well;
 using test::ScratchFolder;
-
-std::string big_endian(std::size_t value) {
-  return {static_cast<char>(value >> 24), static_cast<char>(value >> 16 & 255), static_cast<char>(value >> 8 & 255),
-          static_cast<char>(value & 255)};
-}
-
-std::string chunk(const std::string& type, const std::string& data) {
-  return big_endian(data.size()) + type + data + big_endian(crc32(type + data));
-}
 
 /// A PNG of one pixel; the data follow in one stored block.
 std::string png_pixel(char depth, char colour_type, const std::string& samples) {
@@ -34,8 +26,9 @@ std::string png_pixel(char depth, char colour_type, const std::string& samples) 
   const auto size = static_cast<char>(row.size());
   const std::string data = std::string("\x78\x01\x01") + size + std::string(1, '\0') + static_cast<char>(~size) +
                            std::string(1, '\xff') + row + std::string(4, '\0');
-  return "\x89PNG\r\n\x1a\n" + chunk("IHDR", big_endian(1) + big_endian(1) + std::string{depth, colour_type, 0, 0, 0}) +
-         chunk("IDAT", data) + chunk("IEND", "");
+  return "\x89PNG\r\n\x1a\n" +
+         png_chunk("IHDR", big_endian(1) + big_endian(1) + std::string{depth, colour_type, 0, 0, 0}) +
+         png_chunk("IDAT", data) + png_chunk("IEND", "");
 }
 
 std::string pfm_pixel(float value) { return pfm_bytes(Image<Vec3f>(1, 1, Vec3f(value))); }
@@ -127,5 +120,4 @@ TEST(CompareFiles, ChartsKnowSamplesFromLevels) {
 }
 
 }  // namespace
-}  // namespace compare_files_test
-}  // namespace ps
+}  // namespace ps::compare_files_test

@@ -124,7 +124,7 @@ TEST(ListingCopy, ATaskOfALessonIsReadWithItsErrors) {
   EXPECT_EQ(fault(lines, "read draw_line\n"), "lesson.md:11:1: found 'read', expected a line 'write ROUTINE'");
   EXPECT_EQ(fault(lines, ""), "lesson.md:10:1: found a task without words, expected a line 'write ROUTINE'");
   EXPECT_EQ(
-      fault("cgfs_05_camera", "write draw\n"),
+      fault("cgfs_05_glass", "write draw\n"),
       "lesson.md:10:1: found a task in a lesson without a listing of the program, expected tasks in the program's own "
       "lessons alone: a listing.cpp in another folder is not compiled");
 }

@@ -327,6 +327,8 @@ TEST(Listing, PictureIsThatOfTheRenderer) {
                         {"cgpp-15-4-measured-light", "cgpp/triangle", {}},
                         {"oct-dont-test-everything", "cgfs/cubes", {"octree-leaf=2", "octree-depth=6"}},
                         {"oct-dont-test-everything", "lab/hierarchy", {"octree-depth=3"}},
+                        {"cgfs-05-camera", "cgfs/spheres", {}},
+                        {"cgfs-05-camera", "chapters/cgfs_05_camera/turned.scene", {}},
                         {"cgfs-05-solids", "cgfs/cubes", {}},
                         {"cgfs-05-solids", "lab/hierarchy", {}},
                         {"cgfs-09-perspective", "chapters/cgfs_09_perspective/cube.scene", {}},

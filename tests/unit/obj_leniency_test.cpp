@@ -3,17 +3,10 @@
 
 #include "obj_corpus.h"
 
-namespace ps {
-namespace obj_leniency_test {
+namespace ps::obj_leniency_test {
 namespace {
 
 const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
-
-std::string notes_of(const Scene& scene) {
-  std::string all;
-  for (const std::string& warning : scene.warnings) all += warning.substr(warning.rfind('/') + 1) + "\n";
-  return all;
-}
 
 /// The model reads as one triangle of vertices 1, 2 and 3 without normals and texture coordinates.
 void expect_plain(const std::string& text, const std::string& note) {
@@ -26,7 +19,7 @@ void expect_plain(const std::string& text, const std::string& note) {
   plain.position = {0, 1, 2};
   EXPECT_EQ(mesh.triangles[0], plain) << text;
   EXPECT_EQ(mesh.origins.object_of(0) + mesh.origins.group_of(0), "");
-  EXPECT_NE(notes_of(scene).find(note), std::string::npos) << text << notes_of(scene);
+  EXPECT_NE(test::notes_of(scene).find(note), std::string::npos) << text << test::notes_of(scene);
 }
 
 TEST(ObjLeniency, ValuesThatNoFaceUses) {
@@ -70,9 +63,10 @@ TEST(ObjLeniency, StatementsThatNothingDraws) {
 TEST(ObjLeniency, OutlinesThatCrossThemselvesAreDrawnWithANote) {
   const test::ModelFolder folder;
   const Scene tie = folder.load(vertices + "f 1 2 3 4\n"), square = folder.load(vertices + "f 1 2 4 3\n");
-  EXPECT_EQ(notes_of(tie), "model.obj:5: where the outline of a face crosses itself, its triangles may overlap.\n");
+  EXPECT_EQ(test::notes_of(tie),
+            "model.obj:5: where the outline of a face crosses itself, its triangles may overlap.\n");
   EXPECT_EQ(test::mesh_of(tie).triangles.size(), 2U);
-  EXPECT_EQ(notes_of(square), "");
+  EXPECT_EQ(test::notes_of(square), "");
 }
 
 TEST(ObjLeniency, SmoothingGroupsOfAnySpelling) {
@@ -128,7 +122,7 @@ TEST(ObjLeniency, NamesWithNumberSigns) {
                "newmtl Material #26\nKd 0 0 0.5\nnewmtl plain #comment\nKd 0.5 0 0\nnewmtl \"q r\"\nKd 0 0.5 0\n");
   const auto colour = [&](const std::string& name) {
     const Scene scene = folder.load("mtllib a.mtl #here\n" + vertices + "usemtl " + name + "\nf 1 2 3\n");
-    EXPECT_EQ(notes_of(scene), "") << name;
+    EXPECT_EQ(test::notes_of(scene), "") << name;
     return material_of(scene, 0, 0).colour;
   };
   EXPECT_EQ(colour("#1 red"), Vec3d(1, 0, 0));
@@ -171,29 +165,29 @@ TEST(ObjLeniency, MaterialStatementsWithoutValues) {
                                   "newmtl\nKd 1 1 1\nd 0\n",
                                   "newmtl #\nKd 1 1 1\n"}) {
     const Scene scene = load(lines);
-    EXPECT_EQ(scene.warnings.size(), 1U) << lines << notes_of(scene);
-    EXPECT_EQ(notes_of(scene).find("a.mtl:3: '"), 0U) << notes_of(scene);
+    EXPECT_EQ(scene.warnings.size(), 1U) << lines << test::notes_of(scene);
+    EXPECT_EQ(test::notes_of(scene).find("a.mtl:3: '"), 0U) << test::notes_of(scene);
     EXPECT_EQ(material_of(scene, 0, 0).colour, Vec3d(0.25, 0.5, 0.75)) << lines;
     EXPECT_FALSE(material_of(scene, 0, 0).specular) << lines;
     EXPECT_EQ(material_of(scene, 0, 0).transparency, 0) << lines;
   }
   const Scene four = load("Kd 1 0.5 0 0.25\n");
   EXPECT_EQ(material_of(four, 0, 0).colour, Vec3d(1, 0.5, 0));
-  EXPECT_EQ(notes_of(four), "a.mtl:3: 'Kd' has three numbers; what follows is not used.\n");
+  EXPECT_EQ(test::notes_of(four), "a.mtl:3: 'Kd' has three numbers; what follows is not used.\n");
 }
 
 TEST(ObjLeniency, MaterialFilesThatAreNoText) {
   const test::ModelFolder folder;
   folder.write("a.mtl", std::string("newmtl a\0\n", 10));
   const Scene scene = folder.load("mtllib a.mtl\n" + vertices + "f 1 2 3\n");
-  EXPECT_NE(notes_of(scene).find("a NUL byte"), std::string::npos) << notes_of(scene);
+  EXPECT_NE(test::notes_of(scene).find("a NUL byte"), std::string::npos) << test::notes_of(scene);
 }
 
 TEST(ObjLeniency, CommentsOfMaterialFilesEndWithTheirLine) {
   const test::ModelFolder folder;
   folder.write("a.mtl", "# C:\\maps\\\r\nnewmtl a # D:\\\r\nKd 1 0#x\\\r\n 0\r\nKd 0 1 0 # \\\r\n");
   const Scene scene = folder.load("mtllib a.mtl\n" + vertices + "usemtl a\nf 1 2 3\n");
-  EXPECT_EQ(material_of(scene, 0, 0).colour, Vec3d(0, 1, 0)) << notes_of(scene);
+  EXPECT_EQ(material_of(scene, 0, 0).colour, Vec3d(0, 1, 0)) << test::notes_of(scene);
 }
 
 // ---- Where faces stand -------------------------------------------------------------------------------------------
@@ -220,5 +214,4 @@ TEST(ObjOrigins, KeepLineNamesAndIndices) {
 }
 
 }  // namespace
-}  // namespace obj_leniency_test
-}  // namespace ps
+}  // namespace ps::obj_leniency_test

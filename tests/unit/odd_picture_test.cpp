@@ -7,10 +7,10 @@
 #include "image/png_chunks.h"
 #include "image/pnm.h"
 #include "scene/load.h"
+#include "support/png_parts.h"
 #include "support/run_cli.h"
 
-namespace ps {
-namespace odd_picture_test {
+namespace ps::odd_picture_test {
 namespace {
 
 using test::run_cli_well;
@@ -22,15 +22,6 @@ std::string small_png() {
   Image<Rgb8> image(3, 2, {1, 2, 3});
   image.at(2, 1) = {200, 100, 50};
   return stb_encode_png(image);
-}
-
-std::string big_endian(std::size_t value) {
-  return {static_cast<char>(value >> 24), static_cast<char>(value >> 16 & 255), static_cast<char>(value >> 8 & 255),
-          static_cast<char>(value & 255)};
-}
-
-std::string chunk(const std::string& type, const std::string& data) {
-  return big_endian(data.size()) + type + data + big_endian(crc32(type + data));
 }
 
 /// An EXIF block with nothing but an orientation, in either byte order.
@@ -76,11 +67,11 @@ TEST(OddPictures, APngWithoutItsLastChunkIsRead) {
   EXPECT_EQ(said_of(png.substr(0, png.size() - 5), "a.png"), "ends without an IEND chunk, but has all of its pixels;");
   // Pixels in two chunks, of which the second is missing; and a text behind the pixels that is cut off.
   const std::string head = png.substr(0, 33), pixels = png.substr(41, png.size() - 41 - 4 - last_chunk);
-  const std::string first = chunk("IDAT", pixels.substr(0, pixels.size() - 9)),
-                    second = chunk("IDAT", pixels.substr(pixels.size() - 9));
+  const std::string first = test::png_chunk("IDAT", pixels.substr(0, pixels.size() - 9)),
+                    second = test::png_chunk("IDAT", pixels.substr(pixels.size() - 9));
   EXPECT_EQ(said_of(head + first + second + png.substr(png.size() - last_chunk), "a.png"), "");
   EXPECT_NE(said_of(head + first, "a.png").find("cut off"), std::string::npos) << said_of(head + first, "a.png");
-  const std::string text = chunk("tEXt", "Comment of the author");
+  const std::string text = test::png_chunk("tEXt", "Comment of the author");
   EXPECT_NE(said_of(head + first + second + text.substr(0, 15), "a.png").find("ends without"), std::string::npos);
 }
 
@@ -134,9 +125,9 @@ TEST(OddPictures, OrientationAndScaleAreSaidAndNotApplied) {
       const std::string with_exif = std::string(jpeg).insert(2, segment);
       EXPECT_EQ(said_of(with_exif, "a.jpg"), note);
       EXPECT_EQ(decode_picture(with_exif, "a.jpg").colour, right);
-      EXPECT_EQ(said_of(small_png().insert(33, chunk("eXIf", block)), "a.png"), note);
+      EXPECT_EQ(said_of(small_png().insert(33, test::png_chunk("eXIf", block)), "a.png"), note);
       for (std::size_t cut = 0; cut < block.size(); ++cut)
-        EXPECT_NO_THROW(decode_picture(small_png().insert(33, chunk("eXIf", block.substr(0, cut))), "a.png"));
+        EXPECT_NO_THROW(decode_picture(small_png().insert(33, test::png_chunk("eXIf", block.substr(0, cut))), "a.png"));
     }
   const std::string sample("\0\0\x80\x3f", 4);  // 1
   EXPECT_EQ(said_of("Pf 1 1 -1\n" + sample, "a.pfm"), "");
@@ -166,5 +157,4 @@ TEST(OddPictures, NotesReachScenesModelsAndTheCommandLine) {
 }
 
 }  // namespace
-}  // namespace odd_picture_test
-}  // namespace ps
+}  // namespace ps::odd_picture_test

@@ -6,12 +6,15 @@
 #include "image/codec.h"
 #include "image/display.h"
 #include "support/golden.h"
+#include "support/png_parts.h"
 
 namespace png_test {
 namespace {
 
 using ps::Image;
 using ps::Rgb8;
+using ps::test::big_endian;
+using ps::test::png_chunk;
 
 /// A small PNG with a text, from the program's own writer.
 std::string small_png() {
@@ -22,17 +25,8 @@ std::string small_png() {
   return ps::png_with_texts(ps::stb_encode_png(image), {{"permalink", "scene=cgfs/shadows&gamma=2.2"}});
 }
 
-std::string big_endian(std::uint32_t value) {
-  return {static_cast<char>(value >> 24), static_cast<char>(value >> 16), static_cast<char>(value >> 8),
-          static_cast<char>(value)};
-}
-
-std::string chunk(const std::string& type, const std::string& data) {
-  return big_endian(static_cast<std::uint32_t>(data.size())) + type + data + big_endian(ps::crc32(type + data));
-}
-
 std::string header(std::uint32_t width, std::uint32_t height, const std::string& rest) {
-  return "\x89PNG\r\n\x1a\n" + chunk("IHDR", big_endian(width) + big_endian(height) + rest);
+  return "\x89PNG\r\n\x1a\n" + png_chunk("IHDR", big_endian(width) + big_endian(height) + rest);
 }
 
 /// A zlib stream of one stored block; the decoder does not look at the checksum.
@@ -82,8 +76,8 @@ TEST(Png, AnyFlippedBitIsAnError) {
 
 TEST(Png, ReportsWhatIsWrong) {
   const std::string rgb("\x08\x02\0\0\0", 5);
-  const std::string data = chunk("IDAT", stored(std::string(4, '\0')));
-  const std::string end = chunk("IEND", "");
+  const std::string data = png_chunk("IDAT", stored(std::string(4, '\0')));
+  const std::string end = png_chunk("IEND", "");
   EXPECT_EQ(error_of(header(1, 1, rgb) + data + end), "");
 
   const auto expect = [&](const std::string& bytes, const std::string& part) {
@@ -107,24 +101,24 @@ TEST(Png, ReportsWhatIsWrong) {
   expect(header(1, 1, rgb) + data.substr(0, data.size() - 1), "cut off");
   expect(header(1, 1, rgb) + header(1, 1, rgb).substr(8) + data + end, "second IHDR");
   expect(data + end, "no PNG signature");
-  expect(header(1, 1, rgb) + chunk("IDAT", "\x78\x01") + end, "cannot be decoded");
-  expect(header(1, 1, rgb) + chunk("IDAT", stored(std::string(1, '\0'))) + end, "cannot be decoded");
+  expect(header(1, 1, rgb) + png_chunk("IDAT", "\x78\x01") + end, "cannot be decoded");
+  expect(header(1, 1, rgb) + png_chunk("IDAT", stored(std::string(1, '\0'))) + end, "cannot be decoded");
   // A picture of 2^26 pixels, the most, whose data are missing is refused without that much memory being filled.
   expect(header(1u << 13, 1u << 13, rgb) + data + end, "cannot be decoded");
 }
 
 TEST(Png, PaletteIndicesBeyondThePaletteAreAnError) {
   const std::string indexed("\x08\x03\0\0\0", 5);
-  const std::string end = chunk("IEND", "");
-  const std::string palette = chunk("PLTE", std::string("\x01\x02\x03\x04\x05\x06"));
+  const std::string end = png_chunk("IEND", "");
+  const std::string palette = png_chunk("PLTE", std::string("\x01\x02\x03\x04\x05\x06"));
   const auto picture = [&](const std::string& indices) {
-    return chunk("IDAT", stored(std::string(1, '\0') + indices)) + end;
+    return png_chunk("IDAT", stored(std::string(1, '\0') + indices)) + end;
   };
   EXPECT_EQ(error_of(header(2, 1, indexed) + palette + picture(std::string("\0\x01", 2))), "");
   EXPECT_NE(error_of(header(2, 1, indexed) + palette + picture("\x01\x02")).find("beyond the palette"),
             std::string::npos);
   EXPECT_NE(error_of(header(2, 1, indexed) + picture("\x01\x01")).find("without a palette"), std::string::npos);
-  EXPECT_NE(error_of(header(2, 1, indexed) + chunk("PLTE", "1234") + picture("\x01\x01")).find("4 bytes"),
+  EXPECT_NE(error_of(header(2, 1, indexed) + png_chunk("PLTE", "1234") + picture("\x01\x01")).find("4 bytes"),
             std::string::npos);
 
   const auto path = ps::fresh_output_folder("png-palette") / "a.png";
@@ -137,8 +131,8 @@ TEST(Png, PaletteIndicesBeyondThePaletteAreAnError) {
 TEST(Png, SixteenBitsKeepTheirPrecision) {
   const auto path = ps::fresh_output_folder("png-sixteen") / "a.png";
   const std::string grey16("\x10\0\0\0\0", 5);
-  ps::write_file_atomically(path, header(1, 1, grey16) + chunk("IDAT", stored(std::string("\0\x12\x34", 3))) +
-                                      chunk("IEND", ""));
+  ps::write_file_atomically(path, header(1, 1, grey16) + png_chunk("IDAT", stored(std::string("\0\x12\x34", 3))) +
+                                      png_chunk("IEND", ""));
   EXPECT_EQ(ps::load_image(path).at(0, 0), ps::Vec3f(0x1234 / 65535.0f));
 }
 
@@ -161,7 +155,8 @@ TEST(Png, ABombIsRefused) {
   }
   put(0, 7);  // end of block
   put(0, 7);
-  const std::string bomb = header(1, 1, std::string("\x08\x02\0\0\0", 5)) + chunk("IDAT", deflated) + chunk("IEND", "");
+  const std::string bomb =
+      header(1, 1, std::string("\x08\x02\0\0\0", 5)) + png_chunk("IDAT", deflated) + png_chunk("IEND", "");
   EXPECT_NE(error_of(bomb).find("cannot be decoded"), std::string::npos);
 }
 

@@ -18,13 +18,6 @@ Frame rendered(const Scene& scene, const Settings& settings, const RenderRequest
   return render(scene, View{scene.camera, width, height}, settings, request);
 }
 
-RenderRequest with(Channel channels, std::optional<TileRect> region = {}) {
-  RenderRequest request;
-  request.channels = channels;
-  request.region = region;
-  return request;
-}
-
 std::vector<Settings> ways() {
   std::vector<Settings> list(6);
   list[1].subsampling = 8;
@@ -43,8 +36,8 @@ TEST(Region, ShowsTheSamePixelsAndNothingElse) {
     for (const TileRect& region :
          {TileRect{37, 20, 90, 71}, TileRect{31, 32, 33, 33}, TileRect{0, 0, 150, 110}, TileRect{140, 100, 150, 110}}) {
       const Channel channels = Channel::ids | Channel::depth | Channel::samples;
-      const Frame all = rendered(scene, settings, with(channels));
-      const Frame part = rendered(scene, settings, with(channels, region));
+      const Frame all = rendered(scene, settings, request_for(channels));
+      const Frame part = rendered(scene, settings, request_for(channels, region));
       for (int y = 0; y < 110; ++y)
         for (int x = 0; x < 150; ++x) {
           const bool inside = x >= region.x0 && x < region.x1 && y >= region.y0 && y < region.y1;
@@ -63,7 +56,7 @@ TEST(Region, IsTheSameWhereAnythingMayLieAround) {
   const Scene scene = load_scene("cgfs/reflections");
   for (const Settings& settings : ways())
     for (const TileRect& region : {TileRect{37, 20, 90, 71}, TileRect{31, 32, 33, 33}, TileRect{140, 100, 150, 110}}) {
-      const RenderRequest all_of_it = with(Channel::ids | Channel::shadow | Channel::depth);
+      const RenderRequest all_of_it = request_for(Channel::ids | Channel::shadow | Channel::depth);
       RenderRequest request = all_of_it;
       request.region = region;
       request.outside = Outside::anything;
@@ -83,7 +76,7 @@ TEST(Region, TracesNoOtherPixels) {
   for (const Simd simd : {Simd::off, Simd::automatic}) {
     Settings settings;
     settings.simd = simd;
-    const Frame part = rendered(scene, settings, with(Channel::none, TileRect{37, 20, 90, 71}));
+    const Frame part = rendered(scene, settings, request_for(Channel::none, TileRect{37, 20, 90, 71}));
     EXPECT_EQ(part.counters[Counter::eye_rays], 53u * 51u);
     EXPECT_EQ(part.counters[Counter::pixels_written], 53u * 51u);
   }
@@ -96,7 +89,7 @@ TEST(Direction, IsWhatTheViewportSays) {
   for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
     Settings settings;
     settings.renderer = renderer;
-    const Frame frame = rendered(scene, settings, with(Channel::direction), 64, 64);
+    const Frame frame = rendered(scene, settings, request_for(Channel::direction), 64, 64);
     for (int y = 0; y < 64; y += 9)
       for (int x = 0; x < 64; x += 7) {
         const Vec3d d{(x + 0.5) / 64 - 0.5, 0.5 - (y + 0.5) / 64, 1};

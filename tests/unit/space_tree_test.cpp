@@ -39,17 +39,11 @@ SpaceWithTree with_tree(const Settings& settings, std::size_t most, Prepared& pr
   return space;
 }
 
-Settings by(Accelerator accelerator) {
-  Settings settings;
-  settings.accelerator = accelerator;
-  return settings;
-}
-
 TEST(SpaceTree, DrawsEveryNodeOnce) {
   for (const Accelerator accelerator :
        {Accelerator::bvh, Accelerator::octree, Accelerator::bounding_spheres, Accelerator::box, Accelerator::two_level})
     for (const Precision precision : {Precision::float32, Precision::float64}) {
-      Settings settings = by(accelerator);
+      Settings settings{.accelerator = accelerator};
       settings.precision = precision;
       settings.octree_leaf = 4;
       Prepared prepared;
@@ -64,7 +58,7 @@ TEST(SpaceTree, DrawsEveryNodeOnce) {
 }
 
 TEST(SpaceTree, CountsWhatAnOctreeListsTwice) {
-  Settings settings = by(Accelerator::octree);
+  Settings settings{.accelerator = Accelerator::octree};
   settings.octree_leaf = 4;
   Prepared prepared;
   const SpaceWithTree space = with_tree(settings, 1'000'000, prepared);
@@ -101,7 +95,7 @@ std::array<double, 6> reach_of(const std::vector<Vec3d>& points, const Vec3d& ce
 // elsewhere.
 TEST(SpaceTree, DrawsBoundingSpheresAsGreatCircles) {
   const Scene scene = teapot_scene();
-  const Settings settings = by(Accelerator::bounding_spheres);
+  const Settings settings{.accelerator = Accelerator::bounding_spheres};
   Prepared prepared, own;
   SpaceModel model;
   add_tree(scene, settings, nullptr, prepared, model, 1'000'000);
@@ -132,7 +126,7 @@ TEST(SpaceTree, DrawsBoundingSpheresAsGreatCircles) {
 
 TEST(SpaceTree, LeavesOutTheDeepestLevelsFirst) {
   Prepared prepared;
-  const Settings settings = by(Accelerator::bvh);
+  const Settings settings{.accelerator = Accelerator::bvh};
   const SpaceWithTree all = with_tree(settings, 1'000'000, prepared), some = with_tree(settings, 200, prepared);
   EXPECT_EQ(some.nodes, 200u);
   EXPECT_EQ(some.tree.nodes, all.tree.nodes);
@@ -152,7 +146,7 @@ TEST(SpaceTree, IsEmptyWithoutRays) {
   settings.renderer = Renderer::rasterizer;
   Prepared prepared;
   EXPECT_EQ(with_tree(settings, 1000, prepared).nodes, 0u);
-  EXPECT_EQ(with_tree(by(Accelerator::none), 1000, prepared).nodes, 0u);
+  EXPECT_EQ(with_tree(Settings{.accelerator = Accelerator::none}, 1000, prepared).nodes, 0u);
 }
 
 }  // namespace
