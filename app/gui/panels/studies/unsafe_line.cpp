@@ -7,6 +7,7 @@
 
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
+#include "options/difference_words.h"
 #include "options/option.h"
 #include "study/stability/experiment.h"
 
@@ -51,26 +52,25 @@ const UnsafeSetting* worst(const UnsafeSide& state) {
 
 std::string two_digits_percent(double value) { return fmt::format("{:.2g} %", value); }
 
+/// "filter: bilinear".
+std::string in_words(const UnsafeSetting& unsafe) {
+  return setting_words(fmt::format("{}={}", unsafe.option, unsafe.value));
+}
+
 std::string line_text(const UnsafeSetting& unsafe) {
-  const Option* option = find_option(unsafe.option);
-  return fmt::format("{} of the pixels are wrong: {} = {}", two_digits_percent(unsafe.bad_percent),
-                     option ? option->label : unsafe.option, unsafe.value);
+  return fmt::format("{} of the pixels are wrong with {}", two_digits_percent(unsafe.bad_percent), in_words(unsafe));
 }
 
 /// The same where there is little room.
 std::string short_text(const UnsafeSetting& unsafe, float room) {
-  const Option* option = find_option(unsafe.option);
-  std::string text =
-      fmt::format("{} wrong: {}", two_digits_percent(unsafe.bad_percent), option ? option->label : unsafe.option);
-  std::string longer = fmt::format("{} = {}", text, unsafe.value);
-  if (text_width(longer) <= room) return longer;
-  if (text_width(text, Face::small) <= room) return text;
   const std::string share = two_digits_percent(unsafe.bad_percent), of_pixels = share + " of pixels wrong";
+  const std::string longer = fmt::format("{} wrong with {}", share, in_words(unsafe));
+  if (text_width(longer) <= room) return longer;
   return text_width(of_pixels, Face::small) <= room ? of_pixels : share + " wrong";
 }
 
 void make_safe(Session& session, Side side, const UnsafeSetting& unsafe) {
-  session.edit(fmt::format("{}: {}", letter_of(side), unsafe.safe), [&](Document& document) {
+  session.edit(fmt::format("{}: {}", letter_of(side), settings_in_words(unsafe.safe, ";")), [&](Document& document) {
     std::string_view rest = unsafe.safe;
     while (!rest.empty()) {
       const auto end = std::min(rest.find_first_of("; "), rest.size());
@@ -90,7 +90,7 @@ std::optional<std::string> details(Session& session, const UnsafeSide& state, Si
       wanted = std::string(unsafe.experiment);
     if (unsafe.safe.empty()) continue;
     ImGui::SameLine(0, px(4));
-    if (button("safe", fmt::format("Set {}", unsafe.safe), Emphasis::primary)) make_safe(session, side, unsafe);
+    if (button("safe", fmt::format("Set {}", settings_in_words(unsafe.safe, ";")), Emphasis::primary)) make_safe(session, side, unsafe);
   }
   show_text("Measured on a small picture against a rendering in double.", {.quiet = true});
   if (wanted) ImGui::CloseCurrentPopup();
