@@ -64,7 +64,7 @@ std::string line_text(const UnsafeSetting& unsafe) {
 /// The same where there is little room.
 std::string short_text(const UnsafeSetting& unsafe, float room) {
   const std::string share = two_digits_percent(unsafe.bad_percent), of_pixels = share + " of pixels wrong";
-  const std::string longer = fmt::format("{} wrong with {}", share, in_words(unsafe));
+  std::string longer = fmt::format("{} wrong with {}", share, in_words(unsafe));
   if (text_width(longer) <= room) return longer;
   return text_width(of_pixels, Face::small) <= room ? of_pixels : share + " wrong";
 }
