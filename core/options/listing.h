@@ -50,7 +50,8 @@ struct Listing {
   /// Sets the options that say what it does by its nature, beyond what it draws and in which order: "wireframe". What
   /// it reads stays as it is. May be nullptr.
   void (*as_settings)(Settings&) = nullptr;
-  /// How well it suits a scene with these traits and settings; 0 = it shows no part of it.
+  /// How well it suits a scene with these traits and settings; 0 = it shows no part of it,
+  /// and below 0 it is not chosen for a scene that no listing shows either.
   int (*suits)(const SceneTraits&, const Settings&) = nullptr;
   /// Draws the scene. Colours are those of the book, 0 to 255.
   void (*draw)(const BookScene&, BookCanvas&) = nullptr;

@@ -31,7 +31,7 @@ std::optional<IdleReason> reason_of(const Option& option, const Settings& settin
 
 /// Does the listing show nothing of the scene? Then it is not suggested.
 bool shows_nothing(const Settings& settings, const SceneTraits& traits) {
-  return runs_listing(settings.renderer) && listing_of(settings, traits).listing->suits(traits, settings) == 0;
+  return runs_listing(settings.renderer) && listing_of(settings, traits).listing->suits(traits, settings) <= 0;
 }
 
 void add_choices(const Option& option, Steps& steps) {

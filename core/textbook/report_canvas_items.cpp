@@ -79,8 +79,10 @@ class CanvasReporter {
     recorder_.end();
   }
 
-  /// A polygon that is filled as a whole.
+  /// A polygon that is filled as a whole, or the pixel's own levels in place of its light.
   void report_of_polygon(int pixel) {
+    if (const auto shown = reader_.last<Vec3d>(pixel, "light of these levels"))
+      return report_write(*shown / 255.0, pixel);
     if (reader_.around(pixel, "polygon with pixel") < 0) return;
     report_write(reader_.last<Vec3d>(pixel, "colour").value_or(Vec3d(0)) / 255.0, pixel);
   }

@@ -110,6 +110,7 @@ Image<Rgb8> picture(const Scene& scene, const Settings& settings) {
 /// The scene of each chapter that suits its listing.
 const char* scene_for(std::string_view folder) {
   const std::pair<std::string_view, const char*> scenes[] = {
+      {"cgfs_01_pixels_and_colours", "chapters/cgfs_01_pixels_and_colours/overlap.scene"},
       {"cgfs_02_basic_ray_tracing", "cgfs/spheres"},
       {"cgfs_03_light", "cgfs/lights"},
       {"cgfs_04_shadows_and_reflections", "chapters/cgfs_04_shadows_and_reflections/balloon.scene"},

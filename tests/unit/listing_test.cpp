@@ -24,6 +24,7 @@ Settings textbook(const Scene& scene) {
   return settings;
 }
 
+constexpr const char* overlap = "chapters/cgfs_01_pixels_and_colours/overlap.scene";
 constexpr const char* yard = "chapters/cgfs_15_shadows_in_the_rasterizer/yard.scene";
 
 ListingTrace trace(const Scene& scene, const Settings& settings, Vec2i pixel) {
@@ -327,6 +328,10 @@ TEST(Listing, PictureIsThatOfTheRenderer) {
                         {"cgpp-15-4-measured-light", "cgpp/triangle", {}},
                         {"oct-dont-test-everything", "cgfs/cubes", {"octree-leaf=2", "octree-depth=6"}},
                         {"oct-dont-test-everything", "lab/hierarchy", {"octree-depth=3"}},
+                        {"cgfs-01-pixels-and-colours", overlap, {}},
+                        {"cgfs-01-pixels-and-colours", overlap, {"exposure=1.7"}},
+                        {"cgfs-01-pixels-and-colours", overlap, {"exposure=0.3", "gamma=1"}},
+                        {"cgfs-01-pixels-and-colours", "cgfs/mixing", {"gamma=1.8"}},
                         {"cgfs-05-camera", "cgfs/spheres", {}},
                         {"cgfs-05-camera", "chapters/cgfs_05_camera/turned.scene", {}},
                         {"cgfs-05-solids", "cgfs/cubes", {}},
