@@ -23,7 +23,7 @@ enum class ListingOrder {
 };
 
 /// The parts of a scene that a listing shows. All of them leave out planes, boxes, cylinders and CSG, the attenuation
-/// of lights, and maps of anything but colour.
+/// of lights, and maps of anything but colours and normals.
 struct ListingDraws {
   bool spheres = false;
   bool models = false;  ///< made of triangles
@@ -37,6 +37,7 @@ struct ListingDraws {
   bool shadows = false;
   bool reflections = false;
   bool textures = false;
+  bool normal_maps = false;
 };
 
 struct Listing {

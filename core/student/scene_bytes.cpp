@@ -23,11 +23,12 @@ void put_instances(ByteWriter& to, const BookScene& scene) {
   });
 }
 
-/// Only those that lie on a surface as its colour; the others are left empty.
+/// Only those that lie on a surface as its colours or its normals; the others are left empty.
 void put_textures(ByteWriter& to, const Scene& scene) {
   std::vector<bool> used(scene.textures->size());
   for (const Material& material : *scene.materials)
-    if (material.texture >= 0) used.at(static_cast<std::size_t>(material.texture)) = true;
+    for (const int texture : {material.texture, material.normal_map})
+      if (texture >= 0) used.at(static_cast<std::size_t>(texture)) = true;
   std::size_t number = 0;
   to.each(*scene.textures, [&](ByteWriter& bytes, const Texture& texture) {
     bytes.text(texture.name);

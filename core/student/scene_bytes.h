@@ -13,7 +13,8 @@ struct ListingTask {
 };
 
 /// A scene and what to do with it, for the program of a student's own listing (student/runtime), which reads it from
-/// its standard input. With what listings look at: models, materials, textures of colour, lights, canvas items.
+/// its standard input. With what listings look at: models, materials, textures of colours and normals, lights, canvas
+/// items.
 std::string scene_bytes(const BookScene& scene, const ListingTask& task);
 
 }  // namespace ps

@@ -34,6 +34,7 @@ inline constexpr auto material_fields = [](auto& bytes, auto& material) {
   bytes.value(material.transparency);
   bytes.value(material.refraction_index);
   bytes.value(material.texture);
+  bytes.value(material.normal_map);
 };
 
 }  // namespace ps

@@ -43,7 +43,8 @@ struct BookInstance {
 struct BookSurface {
   Vec3d colour{0, 0, 0};  ///< 0 to 255
   double specular = -1;
-  const Texture* texture = nullptr;  ///< nullptr = none
+  const Texture* texture = nullptr;     ///< nullptr = none
+  const Texture* normal_map = nullptr;  ///< nullptr = none
 };
 
 struct BookScene {

@@ -21,9 +21,11 @@ double level(float value) {
 BookSurface surface_of(const BookScene& scene, const BookInstance& instance, const MeshTriangle& triangle) {
   const std::uint32_t index = instance.instance->material.value_or(instance.model->materials.at(triangle.material));
   const Material& material = scene.scene.materials->at(index);
-  BookSurface surface{material.colour * levels_of_white, material.specular.value_or(-1), nullptr};
-  if (material.texture >= 0) surface.texture = &scene.scene.textures->at(static_cast<std::size_t>(material.texture));
-  return surface;
+  const auto picture = [&](int texture) {
+    return texture >= 0 ? &scene.scene.textures->at(static_cast<std::size_t>(texture)) : nullptr;
+  };
+  return {material.colour * levels_of_white, material.specular.value_or(-1), picture(material.texture),
+          picture(material.normal_map)};
 }
 
 Vec3d texel_of(const Texture& texture, std::size_t index) {

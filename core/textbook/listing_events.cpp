@@ -43,7 +43,7 @@ Settings settings_as_listed(const NamedListing& listing, const Scene& scene, con
   as.light_shown = all_lights;
   as.refraction = false;
   for (const Material& material : *scene.materials)
-    if (material.normal_map >= 0) as.normal_mapping = false;
+    if (material.normal_map >= 0) as.normal_mapping = draws.normal_maps;
   as.parallax = Parallax::off;
   as.environment = Environment::none;
   as.subpixel_bits = 0;

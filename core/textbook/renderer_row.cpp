@@ -55,7 +55,7 @@ std::vector<LeftOut> gaps_of_listing(const SceneTraits& traits, const Settings& 
       {effect, lit && traits.attenuated && settings.attenuation, "attenuation of lights", in_space},
       {effect, lit && ((traits.tinted && !draws.tints) || traits.light_maps), "colours of highlights and ambient light",
        in_space},
-      {effect, lit && traits.normal_maps && settings.normal_mapping, "normal maps", in_space},
+      {effect, lit && traits.normal_maps && settings.normal_mapping && !draws.normal_maps, "normal maps", in_space},
       {effect, shows_space && traits.height_maps && settings.parallax != Parallax::off, "reliefs", in_space},
       {effect, shows_space && draws.light && asks_for_shadows(traits, settings) && !draws.shadows, "shadows", in_space},
       {effect,

@@ -1,16 +1,22 @@
 // Normal mapping against a closed form, and rays against fragments.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <string>
 
+#include "frame/display_frame.h"
 #include "image/height_map.h"
+#include "options/option.h"
+#include "options/scene_settings.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
 #include "support/render_once.h"
 #include "support/same_bits.h"
 #include "support/simd_targets.h"
+#include "textbook/listing_events.h"
 
 namespace normal_map_test {
 namespace {
@@ -118,6 +124,43 @@ TEST(NormalMap, RaysAndFragmentsAgree) {
   EXPECT_LT(far, compared / 500);
   EXPECT_GT(on_ball, 5000);
   EXPECT_LT(far_on_ball, on_ball / 20);
+}
+
+/// The lesson's listing has its own tangents, axes, weights and texels. Its wall is half mirrored, so that a bitangent
+/// without its sign would be seen; the room of cgfs/relief lies along two other axes and reaches far back.
+TEST(NormalMap, ColoursAreThoseOfTheListing) {
+  for (const char* name : {"chapters/cgfs_15_relief/mirrored.scene", "cgfs/relief"}) {
+    const Scene scene = load_scene(name);
+    const View view{scene.camera, 300, 200};
+    Settings listed = settings_for(scene);
+    for (const char* change : {"renderer=textbook", "listing=cgfs-15-relief"}) parse_assignment(change, listed);
+    const Settings drawn = settings_as_listed(listing_of(listed, scene_traits(scene)), scene, listed);
+    EXPECT_TRUE(drawn.normal_mapping);
+    Settings flat = drawn, bug = listed;
+    flat.normal_mapping = false;
+    parse_assignment("listing-bug=hollow-bricks", bug);
+    const auto levels = [&](const Settings& settings) {
+      return display_frame(render(scene, view, settings), settings);
+    };
+    const Image<Rgb8> a = levels(listed), b = levels(drawn), without = levels(flat), hollow = levels(bug);
+    int most = 0, bent = 0, wrong_left = 0, wrong_right = 0, far = 0;
+    for (int y = 0; y < view.height; ++y)
+      for (int x = 0; x < view.width; ++x) {
+        const auto apart = [&](const Image<Rgb8>& one, const Image<Rgb8>& other) {
+          const Rgb8 p = one.at(x, y), q = other.at(x, y);
+          return std::max({std::abs(p.r - q.r), std::abs(p.g - q.g), std::abs(p.b - q.b)});
+        };
+        most = std::max(most, apart(a, b));
+        far += apart(a, b) > 1 ? 1 : 0;
+        bent += apart(b, without) > 10 ? 1 : 0;
+        (x < view.width / 2 ? wrong_left : wrong_right) += apart(a, hollow) > 10 ? 1 : 0;
+      }
+    EXPECT_LE(most, 1) << name << ", " << far << " pixels";
+    EXPECT_GT(bent, 5000) << name;
+    if (std::string(name) == "cgfs/relief") continue;
+    EXPECT_EQ(wrong_left, 0);
+    EXPECT_GT(wrong_right, 2000);
+  }
 }
 
 Frame brick_wall(Settings settings, Simd simd) {

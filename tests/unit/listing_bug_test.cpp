@@ -126,6 +126,7 @@ const char* scene_for(std::string_view folder) {
       {"cgfs_13_shading", "cgfs/shading"},
       {"cgfs_14_mipmaps", "chapters/cgfs_14_textures/closeup.scene"},
       {"cgfs_14_textures", "cgfs/crates"},
+      {"cgfs_15_relief", "chapters/cgfs_15_relief/mirrored.scene"},
       {"cgfs_15_shadows_in_the_rasterizer", "chapters/cgfs_15_shadows_in_the_rasterizer/yard.scene"},
       {"cgpp_15_4_measured_light", "cgpp/ground"},
       {"cgpp_15_6_exact_edges", "chapters/cgpp_15_6_exact_edges/fan.scene"},
