@@ -9,6 +9,7 @@
 #include "cli/output_file.h"
 #include "engine/answers.h"
 #include "engine/bug_question.h"
+#include "engine/check_figures.h"
 #include "engine/course.h"
 #include "engine/lesson.h"
 #include "engine/lesson_length.h"
@@ -166,6 +167,14 @@ void check_links(const std::vector<TextBlock>& blocks, StepCounts& counts, Tally
     }
 }
 
+/// Whether figures have the numbers of the step's own pixel.
+void check_figures(const Lesson& lesson, std::size_t step, Tally& tally) {
+  for (const std::string& fault : figure_faults(lesson, static_cast<int>(step), interruptible_progress())) {
+    fmt::print("  {}\n", fault);
+    ++tally.failures;
+  }
+}
+
 /// The claims and questions of a step.
 void check_measured(const LessonStep& step, CheckExtent extent, MeasuredPictures& pictures, Tally& tally) {
   switch (extent) {
@@ -207,6 +216,7 @@ int check_lessons(std::vector<std::string> names, CheckExtent extent) {
         ++tally.failures;
         continue;
       }
+      check_figures(lesson, i, tally);
       check_measured(step, extent, pictures, tally);
     }
   }

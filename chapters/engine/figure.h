@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "base/check.h"
+#include "engine/figure_number.h"
 #include "engine/maths.h"
 #include "image/painter.h"
+#include "record/story.h"
 
 /// Figures of lessons: lines, dots and labels in a plane of their own, x to the right and y up. chapters/README.md
 /// describes how they are written. The window, the presenter and the handout draw the same marks.
@@ -46,14 +48,31 @@ struct FigureLabel {
 
 using FigureMark = std::variant<FigureLine, FigureArea, FigureDot, FigureLabel>;
 
+/// The lines of a `figure` block, and where they are in the lesson.
+struct FigureSource {
+  std::string text, file;
+  int first_line = 1;
+};
+
 struct Figure {
   std::string description;  ///< in words, for those who do not see it
   std::vector<FigureMark> marks;
+  std::vector<FigureNumber> of_pixel = {};  ///< the numbers of the picked pixel that it draws; others have none
+  FigureSource source = {};                 ///< of those, to be read again for another pixel
+  std::string note = {};                    ///< of those, written below: which pixel it is drawn for
 };
 
-/// Reads the lines of a `figure` block; `first_line` is the first one's number in `file`. Throws InputError with file,
-/// line and column.
-Figure read_figure(std::string_view text, const std::string& file, int first_line);
+/// Reads the lines of a `figure` block; `first_line` is the first one's number in `file`. Numbers of a pixel are those
+/// of the story, which must have them all, or without one those that the lesson gives for the step's own pixel. Throws
+/// InputError with file, line and column.
+Figure read_figure(std::string_view text, const std::string& file, int first_line, const PixelStory* story = nullptr);
+
+/// The figure for the pixel of this story. Where its numbers are missing or cannot be drawn, it is the one for the
+/// step's own pixel, and its note says so; so it is as long as there is no story. Other figures stay as they are.
+std::shared_ptr<const Figure> figure_of_pixel(const std::shared_ptr<const Figure>& figure, const PixelStory* story);
+
+/// The description, and the pixel it is drawn for.
+std::string figure_words(const Figure& figure);
 
 /// A label, with formulas between dollar signs. `start` is the place of its first byte. Throws InputError.
 FigureLabel read_label(std::string_view text, const SourcePlace& start);

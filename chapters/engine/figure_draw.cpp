@@ -205,6 +205,16 @@ struct DrawMark {
   }
 };
 
+std::vector<std::string> note_lines(const Painter& painter, const Figure& figure, double width) {
+  if (figure.note.empty()) return {};
+  return lines_of(painter, figure.note, Lettering::label, width);
+}
+
+double note_line_height(const Painter& painter) {
+  const TextExtent size = painter.extent("x", Lettering::label);
+  return size.above + size.below;
+}
+
 /// Words of a label as a part of its formula.
 void add_words(MathsRow& row, std::string_view words) {
   if (!words.empty()) row.push_back({MathsWords{std::string(words)}});
@@ -232,7 +242,8 @@ FigureLabel read_label(std::string_view text, const SourcePlace& start) {
 }
 
 double figure_height(const Painter& painter, const Figure& figure, double width) {
-  return std::ceil(fit(painter, figure, width).height);
+  const auto lines = static_cast<double>(note_lines(painter, figure, width).size());
+  return std::ceil(fit(painter, figure, width).height + lines * note_line_height(painter));
 }
 
 void draw_figure(Painter& painter, const Figure& figure, const Vec2d& corner, double width) {
@@ -242,11 +253,16 @@ void draw_figure(Painter& painter, const Figure& figure, const Vec2d& corner, do
     if (!std::holds_alternative<FigureLabel>(mark)) std::visit(draw, mark);
   for (const FigureMark& mark : figure.marks)
     if (const auto* label = std::get_if<FigureLabel>(&mark)) draw(*label);
+  Vec2d middle = corner + Vec2d(width / 2, fitted.height + note_line_height(painter) / 2);
+  for (const std::string& line : note_lines(painter, figure, width)) {
+    painter.text(middle, line, {.anchor = TextAnchor::middle, .level = TextLevel::middle, .tint = {Role::quiet}});
+    middle.y += note_line_height(painter);
+  }
 }
 
 std::string figure_svg(const Figure& figure) {
   const SvgPainter measuring(page_width, page_width, "");
-  SvgPainter painter(page_width, figure_height(measuring, figure, page_width), figure.description);
+  SvgPainter painter(page_width, figure_height(measuring, figure, page_width), figure_words(figure));
   draw_figure(painter, figure, {0, 0}, page_width);
   return painter.finish();
 }

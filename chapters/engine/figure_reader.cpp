@@ -64,7 +64,8 @@ struct DrawnLine {
 
 class FigureReader {
  public:
-  explicit FigureReader(const SourcePlace& start) : start_(start) {}
+  /// Numbers of a pixel are those of this story, which has them all, or without one the step's own.
+  explicit FigureReader(const SourcePlace& start, const PixelStory* story = nullptr) : start_(start), story_(story) {}
 
   void read_line(std::string_view line, int number) {
     const SourcePlace start{start_.file, number, 1};
@@ -73,8 +74,9 @@ class FigureReader {
     const FigureWord verb{std::string(text.substr(0, text.find(' '))),
                           {start.file, start.line, start.column + static_cast<int>(line.find(text))}};
     if (verb.text == "alt") return read_description(text.substr(3), verb);
+    if (verb.text == "pixel") return read_pixel(line, start);
     if (const FigureKind* kind = find_figure_kind(verb.text)) {
-      std::vector<FigureWord> words = words_of_line(line, start);
+      std::vector<FigureWord> words = numbered_words(line, start);
       words.erase(words.begin());
       FigureValues values(std::move(words));
       kind->draw(values, figure_.marks);
@@ -84,7 +86,7 @@ class FigureReader {
         std::find_if(verbs.begin(), verbs.end(), [&](const Verb& each) { return each.name == verb.text; });
     if (found == verbs.end()) {
       std::vector<std::string_view> known = figure_kind_names();
-      known.push_back("alt");
+      known.insert(known.end(), {"alt", "pixel"});
       for (const Verb& each : verbs) known.push_back(each.name);
       throw InputError(verb.place, fmt::format("'{}'", shown_start(verb.text)), expected_word(verb.text, known));
     }
@@ -112,17 +114,31 @@ class FigureReader {
     figure_.description = without_blanks(text);
   }
 
+  void read_pixel(std::string_view line, const SourcePlace& start) {
+    FigureNumber number = read_figure_number(line, start);
+    const double value = story_ ? number_at(number, *story_).value() : number.own;
+    if (!numbers_.emplace(number.name, value).second)
+      throw InputError(number.place, fmt::format("a second '{}'", number.name), "another name");
+    figure_.of_pixel.push_back(std::move(number));
+  }
+
+  std::vector<FigureWord> numbered_words(std::string_view line, const SourcePlace& start) const {
+    std::vector<FigureWord> words = words_of_line(line, start);
+    for (FigureWord& word : words) word.text = with_numbers(word.text, numbers_, word.place, false);
+    return words;
+  }
+
   /// The words behind the verb.
   DrawnLine take_apart(std::string_view line, const SourcePlace& start) const {
     DrawnLine drawn;
     if (const std::size_t colon = line.find(" : "); colon != std::string_view::npos) {
       const std::string_view label = line.substr(colon + 3);
       const std::size_t blanks = std::min(label.find_first_not_of(' '), label.size());
-      drawn.label = without_blanks(label);
       drawn.label_place = {start.file, start.line, start.column + static_cast<int>(colon + 3 + blanks)};
+      drawn.label = with_numbers(without_blanks(label), numbers_, drawn.label_place, true);
       line = line.substr(0, colon);
     }
-    std::vector<FigureWord> words = words_of_line(line, start);
+    std::vector<FigureWord> words = numbered_words(line, start);
     for (std::size_t i = 1; i < words.size(); ++i)
       if (!take_look(words[i].text, drawn)) drawn.words.push_back(std::move(words[i]));
     return drawn;
@@ -352,6 +368,8 @@ class FigureReader {
   }
 
   SourcePlace start_;
+  const PixelStory* story_;
+  FigureNumbers numbers_;
   Figure figure_;
   FigureWord verb_;  // of the line that is read
   std::map<std::string, Vec2d> places_;
@@ -374,10 +392,17 @@ const std::array<FigureReader::Verb, 14> FigureReader::verbs{{{"place", &FigureR
 
 }  // namespace
 
-Figure read_figure(std::string_view text, const std::string& file, int first_line) {
-  FigureReader reader({file, first_line, 1});
+Figure read_figure(std::string_view text, const std::string& file, int first_line, const PixelStory* story) {
+  FigureReader reader({file, first_line, 1}, story);
+  const std::string whole(text);
   for (int line = first_line; !text.empty(); ++line) reader.read_line(take_line(text), line);
-  return reader.finish();
+  Figure figure = reader.finish();
+  if (!figure.of_pixel.empty()) {
+    figure.source = {whole, file, first_line};
+    figure.note =
+        story ? fmt::format("At pixel ({}, {}).", story->pixel.x, story->pixel.y) : "At the step's own pixel.";
+  }
+  return figure;
 }
 
 const FigureKind* find_figure_kind(std::string_view name) {

@@ -72,7 +72,7 @@ std::string block_html(const std::vector<TextBlock>& blocks) {
     }
     if (block.figure) {
       html += fmt::format("<figure class=\"drawing\" role=\"img\" aria-label=\"{}\">{}</figure>\n",
-                          xml_escaped(block.figure->description), figure_svg(*block.figure));
+                          xml_escaped(figure_words(*block.figure)), figure_svg(*block.figure));
       continue;
     }
     std::string inside;

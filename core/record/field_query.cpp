@@ -10,6 +10,7 @@
 #include "base/number_text.h"
 #include "base/word_search.h"
 #include "record/event_keys.h"
+#include "record/story_number.h"
 
 namespace ps {
 namespace {
@@ -105,6 +106,23 @@ std::optional<FieldQuery> field_query(const std::vector<Event>& events, int even
     if (matches(query, events[static_cast<std::size_t>(i)].data) && place_of(events, i) == place) ++query.order;
   if (query.kind == "fragment") query.order = 0;  // the one that is seen, whichever of the story's it is
   return query;
+}
+
+std::optional<double> number_of_story(const std::vector<Event>& events, const FieldQuery& query) {
+  int seen = -1;
+  for (int i = 0; i < static_cast<int>(events.size()); ++i)
+    if (const auto* fragment = std::get_if<FragmentEvent>(&events[static_cast<std::size_t>(i)].data))
+      if (fragment->depth != FragmentEvent::Depth::failed && fragment->pass != FragmentEvent::Pass::depth_first)
+        seen = i;
+  int passed = 0;
+  for (int i = 0; i < static_cast<int>(events.size()); ++i) {
+    const EventData& data = events[static_cast<std::size_t>(i)].data;
+    const Place place = place_of(events, i);
+    const int fragment = std::holds_alternative<FragmentEvent>(data) ? i : place.fragment;
+    if (!matches(query, data) || place.path != query.path || (fragment >= 0 && fragment != seen)) continue;
+    if (passed++ == query.order) return field_number(query, data);
+  }
+  return {};
 }
 
 std::string field_query_text(const FieldQuery& query) {

@@ -14,6 +14,7 @@
 #include "engine/lesson.h"
 #include "engine/maths_writers.h"
 #include "image/svg.h"
+#include "support/render_once.h"
 
 namespace ps {
 namespace figure_test {
@@ -335,6 +336,40 @@ TEST(Figure, LabelsOfAllLessonsAreFree) {
   }
   EXPECT_GE(lessons, 25);
   RecordProperty("figures", figures);
+}
+
+/// The story of a pixel in the pictures of a step.
+PixelStory story_of(const Document& document, const Vec2i& pixel, Prepared& prepared) {
+  Progress progress;
+  return inspect(document.scene, view_of(document), side_of(document, document.picked).settings, pixel, prepared,
+                 progress);
+}
+
+TEST(Figure, ThoseOfAPixelHaveFreeLabelsAtEveryPixel) {
+  int figures = 0, followed = 0;
+  for (const std::string& name : lesson_names()) {
+    const Lesson lesson = load_lesson(name);
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+      std::optional<Document> document;
+      Prepared prepared;
+      for (const TextBlock& block : lesson.steps[i].blocks) {
+        if (!block.figure || block.figure->of_pixel.empty()) continue;
+        if (!document) document = lesson_document(lesson, static_cast<int>(i), Document{});
+        ++figures;
+        const View view = view_of(*document);
+        for (int y = view.height / 16; y < view.height; y += view.height / 8)
+          for (int x = view.width / 16; x < view.width; x += view.width / 8) {
+            const PixelStory story = story_of(*document, {x, y}, prepared);
+            const auto figure = figure_of_pixel(block.figure, &story);
+            followed += figure->note.starts_with("At pixel") ? 1 : 0;
+            for (const double width : {330.0, 700.0})
+              EXPECT_EQ(fault_of_labels(*figure, width), "") << name << " " << i + 1 << ": " << figure->note;
+          }
+      }
+    }
+  }
+  EXPECT_GE(figures, 3);
+  EXPECT_GE(followed, 10 * figures);
 }
 
 TEST(Figure, HandoutsHaveThemAsDrawingsWithTheirWords) {

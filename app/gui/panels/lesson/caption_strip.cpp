@@ -57,7 +57,7 @@ void draw_projected_figure(const Figure& figure) {
   while (width > px(200) && height_at() > room.y) width *= 0.95f;
   const ImVec2 at{from.x + (room.x - width) / 2, from.y + std::max(0.f, (room.y - height_at()) / 2)};
   draw_figure(painter, figure, paint_place(at), width);
-  controls().record("figure", at, {at.x + width, at.y + height_at()}, figure.description);
+  controls().record("figure", at, {at.x + width, at.y + height_at()}, figure_words(figure));
 }
 
 CaptionStrip::CaptionStrip(const Session& session, LessonReading& state, float width)
@@ -84,6 +84,9 @@ CaptionStrip::CaptionStrip(const Session& session, LessonReading& state, float w
   caption.pages = static_cast<int>(pages_.size());
   caption.page = std::clamp(caption.page, 0, caption.pages - 1);
   caption.asks = pages_[static_cast<std::size_t>(caption.page)].asks;
+  const auto story = state.holds_back ? nullptr : session.story(session.document().picked);
+  for (const Part& part : pages_[static_cast<std::size_t>(caption.page)].parts)
+    if (part.block.figure && !figure_) figure_ = figure_of_pixel(part.block.figure, story.get());
 }
 
 std::vector<TextLine> CaptionStrip::lines_of(const Page& page) const {
@@ -132,13 +135,6 @@ float CaptionStrip::height() const {
   if (!lesson_) return 0;
   const float text = height_of(pages_[static_cast<std::size_t>(state_.caption.page)]);
   return std::max(text, lines_of_page * text_line_height(Face::caption)) + text_line_height(Face::caption) + px(24);
-}
-
-const Figure* CaptionStrip::figure() const {
-  if (!lesson_) return nullptr;
-  for (const Part& part : pages_[static_cast<std::size_t>(state_.caption.page)].parts)
-    if (part.block.figure) return part.block.figure.get();
-  return nullptr;
 }
 
 void CaptionStrip::draw(Session& session) {

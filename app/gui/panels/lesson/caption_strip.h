@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,8 @@ class CaptionStrip {
   float height() const;
   /// In the room that there is.
   void draw(Session& session);
-  /// The figure of the page that is shown, or nullptr.
-  const Figure* figure() const;
+  /// The figure of the page that is shown, for the picked pixel, or nullptr.
+  const Figure* figure() const { return figure_.get(); }
 
  private:
   struct Part {
@@ -40,6 +41,7 @@ class CaptionStrip {
   int step_ = 0;
   float width_;
   std::vector<Page> pages_;
+  std::shared_ptr<const Figure> figure_;
 };
 
 /// A figure for the last row, as large as the room of the present region lets it be.

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <list>
 #include <sstream>
 #include <utility>
 #include <vector>
 
+#include "engine/figure.h"
 #include "gui/base/region_names.h"
 #include "gui/panels/lesson/claim_view.h"
 #include "gui/panels/lesson/step_options.h"
@@ -49,6 +51,7 @@ struct OwnBlocks {
   TextBlock claims_title;
   std::vector<TextBlock> claims;  ///< the sentences that are measured; none while a question is open
   std::vector<ClaimLayout> measured;
+  std::list<TextBlock> drawn;  ///< the figures, for the picked pixel
 };
 
 /// The question with what is said of its answer, and a button to be asked again.
@@ -91,6 +94,7 @@ OwnBlocks own_blocks(const Session& session, const LessonReading& state, const L
                 {},
                 block_of(BlockKind::heading, "Measured"),
                 {},
+                {},
                 {}};
   if (state.verdict) {
     own.question = block_of(BlockKind::paragraph, state.verdict->question);
@@ -112,9 +116,17 @@ std::vector<TextLine> column_of(const Session& session, LessonReading& state, co
   const LessonStep& step = lesson.steps[static_cast<std::size_t>(index)];
   const float width = ImGui::GetContentRegionAvail().x;
   std::vector<TextLine> lines;
-  const auto add = [&](const TextBlock& block, std::string_view mark) {
-    lay_out(block, mark, Face::body, width, lines);
-    lay_out_needs(block, session, width, lines);
+  // An open question is not answered by the numbers of another pixel.
+  const auto story = state.holds_back ? nullptr : session.story(session.document().picked);
+  const auto add = [&](const TextBlock& written, std::string_view mark) {
+    const TextBlock* block = &written;
+    if (written.figure) {
+      TextBlock& drawn = own.drawn.emplace_back(written);
+      drawn.figure = figure_of_pixel(written.figure, story.get());
+      block = &drawn;
+    }
+    lay_out(*block, mark, Face::body, width, lines);
+    lay_out_needs(*block, session, width, lines);
   };
   if (index == 0) {
     lay_out(own.source, {}, Face::small, width, lines);

@@ -120,8 +120,8 @@ void draw_figure_line(const Figure& figure, ImVec2 at, float height) {
   ScreenPainter painter(*ImGui::GetWindowDrawList());
   draw_figure(painter, figure, paint_place(at), width);
   ImGui::Dummy({width, height});
-  tooltip(figure.description);
-  controls().record("figure", figure.description);
+  tooltip(figure_words(figure));
+  controls().record("figure", figure_words(figure));
   ImGui::SetCursorScreenPos({at.x, at.y + height});
 }
 
