@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/sentence.h"
 #include "gui/panels/story/story_rows.h"
 #include "gui/widgets/draw.h"
 #include "inspect/describe.h"
@@ -33,7 +34,7 @@ void sentence(const Parting& parting) {
     std::replace(words.begin(), words.end(), '-', ' ');
     value_text("cause", words, {Face::bold});
   }
-  value_paragraph("sentence", parting.sentence, {Face::heading});
+  headline("sentence", parting.sentence, ": ");
 }
 
 std::string text_of(const PixelStory& story, int event, const Scene& scene) {
@@ -139,6 +140,14 @@ void steps(Session& session, PartingViewState& state) {
 }
 
 }  // namespace
+
+void headline(const std::string& name, const std::string& text, std::string_view divider) {
+  const std::size_t end = text.find(divider);
+  show_paragraph(text.substr(0, end), {Face::heading});
+  const ImVec2 low = ImGui::GetItemRectMin();
+  if (end != std::string::npos) show_paragraph(begun_large(text.substr(text.find(' ', end) + 1)));
+  controls().record(name, low, ImGui::GetItemRectMax(), text);
+}
 
 void parting_view(Session& session, PartingViewState& state,
                   const std::array<std::shared_ptr<const PixelStory>, 2>& stories) {

@@ -1,6 +1,8 @@
 #pragma once
 #include <array>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "gui/session/session.h"
@@ -17,6 +19,9 @@ struct PartingViewState {
   bool all_steps = false;  ///< those that are the same in both are listed too, and those that say little
   bool reveal = false;     ///< the step at which they part shall be brought into view
 };
+
+/// The first clause of a sentence as a headline, and what follows `divider` as text below it.
+void headline(const std::string& name, const std::string& text, std::string_view divider);
 
 /// The stories of A and B step by step beside each other, with the first difference marked and its cause in a sentence.
 /// A click on a step selects it in both stories.

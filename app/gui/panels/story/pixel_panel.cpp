@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/sentence.h"
 #include "document/document_provenance.h"
 #include "engine/screen_names.h"
 #include "frame/display_frame.h"
@@ -49,14 +48,7 @@ void verdict(const PixelStory& story, Side side) {
     value_text(prefix(side) + "/colour", levels);
   }
   tooltip("Red, green and blue as displayed, 0 to 255.");
-  // The winner is the headline, and the rest is text.
-  const std::string& text = story.verdict;
-  const std::size_t end = text.ends_with(')') ? text.find(" (") : text.find("; ");
-  const std::string rest = end == std::string::npos ? "" : begun_large(text.substr(text.find(' ', end) + 1));
-  show_paragraph(text.substr(0, end), {Face::heading});
-  const ImVec2 low = ImGui::GetItemRectMin();
-  if (!rest.empty()) show_paragraph(rest);
-  controls().record(prefix(side) + "/verdict", low, ImGui::GetItemRectMax(), text);
+  headline(prefix(side) + "/verdict", story.verdict, story.verdict.ends_with(')') ? " (" : "; ");
 }
 
 void work(const PixelStory& story, const std::string& name) {
@@ -173,11 +165,7 @@ void both(Session& session, PixelPanelState& state, const std::array<std::shared
     const auto& story = stories[index_of(side)];
     if (!story) continue;
     if (!beside) {
-      if (side == Side::b) {
-        ImGui::Spacing();
-        ImGui::Separator();
-        ImGui::Spacing();
-      }
+      if (side == Side::b) ImGui::Separator();
       short_story(session, state, side, *story);
       continue;
     }
