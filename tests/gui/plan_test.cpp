@@ -23,7 +23,7 @@ PlanInput input_of(const Case& window, Vec2i picture) {
   in.area = {{0, 28 * window.scale}, {window.width, window.height - 27 * window.scale}};
   in.picture = picture;
   in.scale = window.scale;
-  in.captions = 39 * window.scale;
+  in.captions = 46 * window.scale;
   in.text_width = 520 * window.scale;
   in.headline = 31 * window.scale;
   return in;
@@ -134,7 +134,9 @@ TEST(LessonPlan, AToolKeepsItsRoom) {
   const LessonPlan wide = plan_lesson(in, StagePlace::beside), below = plan_lesson(in, StagePlace::below);
   EXPECT_GE(wide.stage.width(), 590 + padding);
   EXPECT_GE(wide.stage.height(), 600 + padding + toolbar);
-  EXPECT_GE(wide.text.width(), 340 + 16) << "its lines, and the gutter to the pictures";
+  for (const Case& window : {Case{1280, 800, 1}, Case{1366, 768, 1}, Case{1920, 1080, 1.25f}})
+    EXPECT_GE(plan_lesson(input_of(window, {600, 600}), StagePlace::beside).text.width(), (340 + 16) * window.scale)
+        << "its lines, and the gutter to the pictures";
   EXPECT_EQ(below.place, StagePlace::below);
   EXPECT_GE(below.stage.width(), 800 + padding);
   EXPECT_GE(below.stage.height(), 260 + padding + toolbar);

@@ -11,8 +11,7 @@ constexpr float grip = 6;               // between regions, at scale 1
 constexpr float least_text = 400;       // at scale 1; below it one picture takes the place of two
 constexpr float narrowest_text = 290;   // at scale 1
 constexpr double spare = 0.001;         // of the window: what rounding may take of the pictures' share
-constexpr float beside_text = 340;      // at scale 1, beside a tall tool
-constexpr float gutter = 20;            // at scale 1, added to it where the tool has what it needs
+constexpr float beside_text = 356;      // at scale 1, beside a tall tool, with 16 to the pictures
 constexpr float least_beside = 420;     // at scale 1, for that tool
 constexpr float beside_growth = 0.38f;  // share of the width: a wide window has more for it
 constexpr float most_pictures = 0.6f;   // share of the height, above a tool
@@ -81,11 +80,10 @@ LessonPlan plan_shared(PlanInput in) {
 std::optional<LessonPlan> plan_beside(PlanInput in) {
   in.picture = {1, 1};  // wide ones come below one another, or are smaller
   const Area& area = in.area;
-  const float between = grip * in.scale, least = beside_text * in.scale;
-  const float most = area.width() - least - between - room_for(in, 1, beside_share + 4 * spare).width;
+  const float between = grip * in.scale, text = beside_text * in.scale;
+  const float most = area.width() - text - between - room_for(in, 1, beside_share + 4 * spare).width;
   const float wanted = std::max((stage_width + 2 * margin) * in.scale, area.width() * beside_growth);
   const float stage = std::floor(std::min(wanted, most));
-  const float text = least + std::min(gutter * in.scale, most - stage);
   if (stage < least_beside * in.scale) return {};
   const float text_end = std::floor(area.min.x + text), stage_begin = area.max.x - stage;
   return LessonPlan{.text = {area.min, {text_end, area.max.y}},
