@@ -23,7 +23,7 @@ PlanInput input_of(const Case& window, Vec2i picture) {
   in.area = {{0, 28 * window.scale}, {window.width, window.height - 27 * window.scale}};
   in.picture = picture;
   in.scale = window.scale;
-  in.captions = 46 * window.scale;
+  in.captions = 41 * window.scale;
   in.text_width = 520 * window.scale;
   in.headline = 31 * window.scale;
   return in;

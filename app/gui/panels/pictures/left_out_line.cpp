@@ -8,6 +8,7 @@
 #include "gui/panels/pictures/picture_frame.h"
 #include "gui/theme/theme.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/shorten.h"
 #include "gui/widgets/widgets.h"
 #include "options/option.h"
 #include "render/left_out.h"
@@ -92,10 +93,11 @@ Area left_out_line(Session& session, Side side, const Area& row) {
   }
   if (shown < all.size()) {
     std::string more = fmt::format("+{}", all.size() - shown);
-    if (shown == 0) {  // the sign alone where its words would be cut
+    if (shown == 0) {  // its words alone
       attention_mark(*ImGui::GetWindowDrawList(), {x, row.middle().y - px(mark_size) / 2}, px(mark_size));
       x += px(mark_size + item_gap);
-      more = text_width(texts.names) <= right - x ? texts.names : "";
+      more = whole_parts(texts.names, right - x);
+      if (text_width(more) > right - x) more.clear();
     }
     draw_text({x, row.min.y}, {x + text_width(more), row.max.y}, more, palette().text, 0);
     x += text_width(more) + px(item_gap);

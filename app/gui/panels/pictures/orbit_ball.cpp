@@ -19,9 +19,10 @@ constexpr std::array axis_names{"x", "y", "z"};
 std::optional<Area> orbit_ball_area(const Session& session, const PicturesState& state, const Area& area) {
   if (!session.has_scene() || !state.handles || flying(state)) return {};
   if (session.document().mode != ScreenMode::explore) return {};
-  if (std::min(area.width(), area.height()) < px(least_picture)) return {};
-  const float size = px(2 * ball_radius), margin = px(ball_margin);
-  return Area{{area.max.x - margin - size, area.min.y + margin}, {area.max.x - margin, area.min.y + margin + size}};
+  const Area seen = state.drawn.transform.seen(state.pictures[0].size(), area);
+  if (std::min(seen.width(), seen.height()) < px(least_picture)) return {};
+  const float size = px(2 * ball_radius), right = seen.max.x - px(ball_margin), top = seen.min.y + px(ball_margin);
+  return Area{{right - size, top}, {right, top + size}};
 }
 
 void draw_orbit_ball(const Session& session, const PicturesState& state, const Area& area, const std::string& name,

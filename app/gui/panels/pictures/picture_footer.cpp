@@ -131,6 +131,9 @@ std::vector<Slot> placed(std::vector<FooterItem>& items, const Area& row, const 
   for (std::size_t i = items.size(); i-- > 0 && any_changed(); items[i].changed.clear())
     if (const auto slots = in_slots(widths(Room::needed), row, measures)) return *slots;
   items = all_items;
+  std::stable_partition(items.begin(), items.end(), [](const FooterItem& item) {
+    return item.voice == Voice::attention || item.name == "beside";  // the counts give way to them
+  });
   for (FooterItem& item : items) item.changed.clear();
   std::vector<Slot> slots;
   ImVec2 at = row.min;

@@ -72,7 +72,7 @@ PictureTitle shown_title(Session& session, Side side) {
 }
 
 PictureMargins picture_margins(float width, PictureCaptions captions) {
-  if (captions == PictureCaptions::brief) return {px(19), px(20)};
+  if (captions == PictureCaptions::brief) return {px(21), px(20)};
   if (captions == PictureCaptions::projected) return {px(36), px(32)};
   const float notes = px(note_height);
   return width < px(narrow_below) ? PictureMargins{px(66), px(46) + notes} : PictureMargins{px(34), px(26) + notes};

@@ -37,6 +37,12 @@ Vec2i PictureTransform::pixel_at(ImVec2 point, const Area& area) const {
   return {whole(place.x), whole(place.y)};
 }
 
+Area PictureTransform::seen(Vec2i picture_size, const Area& area) const {
+  const Area whole = picture_area(picture_size, area);
+  return {{std::max(whole.min.x, area.min.x), std::max(whole.min.y, area.min.y)},
+          {std::min(whole.max.x, area.max.x), std::min(whole.max.y, area.max.y)}};
+}
+
 PictureTransform fitted(Vec2i picture_size, const Area& area) {
   PictureTransform result;
   result.centre = {picture_size.x / 2.0, picture_size.y / 2.0};

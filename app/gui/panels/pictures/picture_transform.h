@@ -25,6 +25,8 @@ struct PictureTransform {
   Vec2i pixel_at(ImVec2 point, const Area& area) const;
   /// Where the whole picture lies; its corner is on a whole window pixel.
   Area picture_area(Vec2i picture_size, const Area& area) const;
+  /// The part of it that lies in the area; without width or height where none does.
+  Area seen(Vec2i picture_size, const Area& area) const;
 };
 
 inline constexpr double smallest_zoom = 1.0 / 64;

@@ -65,10 +65,6 @@ PictureTransform current_transform(const Document& document, Vec2i size, const A
   return {document.view.zoom, {document.view.middle.x * size.x, document.view.middle.y * size.y}};
 }
 
-struct Split {
-  float at = 0;  ///< window x of the divider
-};
-
 /// Says why a picture is empty where the scene has no object, or none that its renderer can show.
 void nothing_drawn(Session& session, Side side, const Area& area) {
   if (session.scene().geometry->objects.empty() && !session.traits().canvas_items) {
@@ -106,13 +102,8 @@ void cover_whole(ImDrawList& list, Side side, const Area& area, PictureCaptions 
   controls().record(side == Side::a ? "view/a/covered" : "view/b/covered", area.min, area.max, "covered");
 }
 
-Area overlap(const Area& a, const Area& b) {
-  return {{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)},
-          {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
-}
-
-/// The picture of one side in its area, with what lies over it.
-void picture(Session& session, PicturesState& state, Side side, const Area& area, std::optional<Split> split) {
+/// The picture of one side in its area, with what lies over it. `split`: window x of the divider.
+void picture(Session& session, PicturesState& state, Side side, const Area& area, std::optional<float> split) {
   auto& list = *ImGui::GetWindowDrawList();
   const std::size_t index = index_of(side);
   ImGui::SetCursorScreenPos(area.min);
@@ -125,7 +116,7 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
   }
   controls().record(side == Side::a ? "view/a/picture" : "view/b/picture", std::string(1, letter_of(side)));
   const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
-  picture_input(session, state, side, area, split ? std::optional(split->at) : std::nullopt);
+  picture_input(session, state, side, area, split);
   state.drawn.areas[index] = area;
 
   const Side shown_side = state.keys.flip ? other_side(side) : side;
@@ -175,7 +166,7 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
     if (state.drawn.covers.hidden[index_of(which)] || state.keys.was) return;
     if (const auto slow = slow_state(session, which)) slow_mark(list, *slow, state.drawn.transform, area);
   };
-  list.PushClipRect(area.min, {split ? split->at : area.max.x, area.max.y}, true);
+  list.PushClipRect(area.min, {split ? *split : area.max.x, area.max.y}, true);
   draw_picture(list, shown_picture(session, state, shown_side), state.drawn.transform, area, style_of(shown_side));
   draw_nan(shown_side);
   mark_last(shown_side);
@@ -183,7 +174,7 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
   list.PopClipRect();
   if (split) {
     const Side right = other_side(shown_side);
-    list.PushClipRect({split->at, area.min.y}, area.max, true);
+    list.PushClipRect({*split, area.min.y}, area.max, true);
     draw_picture(list, shown_picture(session, state, right), state.drawn.transform, area, style_of(right));
     draw_nan(right);
     mark_last(right);
@@ -194,7 +185,7 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
     ChannelLegend legend = session.renderer(shown_side).legend();
     for (auto& entry : legend.entries)
       if (entry.object >= 0) entry.meaning = object_name(session.scene(), entry.object);
-    const Area seen = overlap(state.drawn.transform.picture_area(state.pictures[index].size(), area), area);
+    const Area seen = state.drawn.transform.seen(state.pictures[index].size(), area);
     if (const auto scale = draw_legend(list, legend, seen)) legend_range(session, state, shown_side, legend, *scale);
   }
   const auto handles_in = [&](Side which, const Area& clip) {
@@ -203,8 +194,8 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
     picture_handles(session, state, which, area, clip, which == Side::a ? "view/a" : "view/b", hovered);
   };
   if (split) {
-    handles_in(side, {area.min, {split->at - px(divider_reach), area.max.y}});
-    handles_in(other_side(side), {{split->at + px(divider_reach), area.min.y}, area.max});
+    handles_in(side, {area.min, {*split - px(divider_reach), area.max.y}});
+    handles_in(other_side(side), {{*split + px(divider_reach), area.min.y}, area.max});
   } else {
     handles_in(side, area);
   }
@@ -213,7 +204,7 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
   if (status.state == RenderState::failed) draw_notice(list, area, status.message);
   // Until the first pixels come, the picture before is shown.
   if (status.waited > long_wait)
-    draw_notice(list, split ? Area{area.min, {split->at, area.max.y}} : area,
+    draw_notice(list, split ? Area{area.min, {*split, area.max.y}} : area,
                 fmt::format("{} is being prepared ...", letter_of(shown_side)));
   if (status.state == RenderState::done && !split) nothing_drawn(session, shown_side, area);
 }
@@ -244,18 +235,18 @@ Framed framed(const Area& area, PictureCaptions captions, int columns = 1) {
   return {{area.min, {area.max.x, top}}, {{area.min.x, top}, {area.max.x, bottom}}, {{area.min.x, bottom}, area.max}};
 }
 
-constexpr float least_block = 0.6f;  // of the height that there is: a wide picture keeps room to be zoomed into
+constexpr float least_block = 0.6f;  // of the height that there is, for a wide picture that is zoomed into
 constexpr double narrowest_title = 380, narrow_title = 200;  // at scale 1: with all in one line, and else
 
 /// Title, picture and footer as one block in the middle of what framed() leaves to them. The lines begin where the
 /// picture does, or as far to the left as `columns` titles need it.
-Framed as_block(Framed in, Vec2i picture_size, const DrawnPictures& drawn, int columns = 1) {
+Framed as_block(const Session& session, const DrawnPictures& drawn, Framed in, Vec2i picture_size, int columns = 1) {
   if (picture_size.x <= 0) return in;
   const double zoom = fitted_as(drawn.fit, picture_size, in.picture).zoom;
   const float room = in.picture.height(), width = in.picture.width();
   const float height = std::ceil(static_cast<float>(zoom * picture_size.y));
-  const float spare =
-      std::max(std::floor((room - std::clamp(height, room * least_block, std::max(room, 0.f))) / 2), 0.f);
+  const float least_height = session.document().view.zoom > 0 ? room * least_block : 0;
+  const float spare = std::max(std::floor((room - std::max(height, least_height)) / 2), 0.f);
   const float shown = std::min(static_cast<float>(zoom * picture_size.x), width);
   const auto titles = static_cast<float>(columns);
   const float wanted = px(narrowest_title) * titles + px(gap) * (titles - 1);
@@ -330,7 +321,7 @@ void below(Session& session, PicturesState& state, Side side, const Area& footer
 
 void one_side(Session& session, PicturesState& state, Side side, const Area& area) {
   const auto [title_row, inner, footer] =
-      as_block(framed(area, state.drawn.captions), state.pictures[index_of(side)].size(), state.drawn);
+      as_block(session, state.drawn, framed(area, state.drawn.captions), state.pictures[index_of(side)].size());
   state.drawn.transform =
       current_transform(session.document(), state.pictures[index_of(side)].size(), inner, state.drawn.fit);
   const Side shown = state.keys.flip ? other_side(side) : side;
@@ -341,20 +332,18 @@ void one_side(Session& session, PicturesState& state, Side side, const Area& are
 
 void split_view(Session& session, PicturesState& state, const Area& area) {
   const auto [title_row, inner, footer] =
-      as_block(framed(area, state.drawn.captions, 2), state.pictures[0].size(), state.drawn, 2);
+      as_block(session, state.drawn, framed(area, state.drawn.captions, 2), state.pictures[0].size(), 2);
   state.drawn.transform = current_transform(session.document(), state.pictures[0].size(), inner, state.drawn.fit);
-  const Area whole = state.drawn.transform.picture_area(state.pictures[0].size(), inner);
-  const float low = std::max(whole.min.x, inner.min.x), high = std::min(whole.max.x, inner.max.x);
-  const float at = std::round(low + (high - low) * static_cast<float>(session.document().split));
+  const Area seen = state.drawn.transform.seen(state.pictures[0].size(), inner);
+  const float at = std::round(seen.min.x + seen.width() * static_cast<float>(session.document().split));
   const float middle = (title_row.min.x + title_row.max.x) / 2, space = px(gap) / 2;
   const Side left = state.keys.flip ? Side::b : Side::a;
   title(session, state, left, {title_row.min, {middle - space, title_row.max.y}});
   title(session, state, other_side(left), {{middle + space, title_row.min.y}, title_row.max});
   state.drawn.split_at = at;
-  picture(session, state, Side::a, inner, Split{at});
+  picture(session, state, Side::a, inner, at);
   state.drawn.areas[1] = inner;
-  divider({{inner.min.x, std::max(inner.min.y, whole.min.y)}, {inner.max.x, std::min(inner.max.y, whole.max.y)}}, at,
-          session.document().split);
+  divider(seen, at, session.document().split);
   below(session, state, left, {footer.min, {middle - space, footer.max.y}});
   below(session, state, other_side(left), {{middle + space, footer.min.y}, footer.max});
 }
@@ -422,10 +411,8 @@ double pixels_on_screen(const PicturesState& state) {
     const auto& area = state.drawn.areas[index_of(side)];
     const Vec2i size = state.pictures[index_of(side)].size();
     if (!area || size.x <= 0) return 0.0;
-    const Area whole = state.drawn.transform.picture_area(size, *area);
-    const double width = std::min(whole.max.x, area->max.x) - std::max(whole.min.x, area->min.x);
-    const double height = std::min(whole.max.y, area->max.y) - std::max(whole.min.y, area->min.y);
-    return std::max(width, 0.0) * std::max(height, 0.0);
+    const Area in_sight = state.drawn.transform.seen(size, *area);
+    return std::max(in_sight.width(), 0.f) * static_cast<double>(std::max(in_sight.height(), 0.f));
   };
   const auto& [a, b] = state.drawn.areas;
   const bool share_one = a && b && a->min.x == b->min.x && a->min.y == b->min.y;
