@@ -59,7 +59,6 @@ class Window {
   WindowPoint pointer() const;
   /// The size that it really has, as of begin_frame().
   WindowSize size() const { return size_; }
-  WindowSize drawable_size() const { return drawable_; }
   /// Clamped to the display; moved so that all of it is seen.
   void resize(WindowSize size);
   /// Where the upper left corner of what is inside its frame is on the desktop.

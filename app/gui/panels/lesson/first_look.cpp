@@ -23,7 +23,7 @@ FirstLookAnswer first_look_offer() {
   FirstLookAnswer answer = FirstLookAnswer::none;
   if (button("start", "Start", Emphasis::primary)) answer = FirstLookAnswer::start;
   ImGui::SameLine();
-  if (button("not-now", "Not now", Emphasis::quiet)) answer = FirstLookAnswer::not_now;
+  if (button("not-now", "Later", Emphasis::quiet)) answer = FirstLookAnswer::not_now;
   return answer;
 }
 
