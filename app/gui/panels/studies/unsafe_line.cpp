@@ -90,7 +90,8 @@ std::optional<std::string> details(Session& session, const UnsafeSide& state, Si
       wanted = std::string(unsafe.experiment);
     if (unsafe.safe.empty()) continue;
     ImGui::SameLine(0, px(4));
-    if (button("safe", fmt::format("Set {}", settings_in_words(unsafe.safe, ";")), Emphasis::primary)) make_safe(session, side, unsafe);
+    if (button("safe", fmt::format("Set {}", settings_in_words(unsafe.safe, ";")), Emphasis::primary))
+      make_safe(session, side, unsafe);
   }
   show_text("Measured on a small picture against a rendering in double.", {.quiet = true});
   if (wanted) ImGui::CloseCurrentPopup();
