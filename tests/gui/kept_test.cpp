@@ -83,8 +83,8 @@ TEST(Kept, TicksOfLessonsAreThereAtTheNextStart) {
   std::filesystem::create_directories(folder / "pixelscope");
   std::string read =
       "key F2\nwait idle\nexpect lessons/linear_algebra/read off\nclick lessons/linear_algebra\nwait idle\n";
-  for (int step = 1; step < 5; ++step) read += "key Shift+PageDown\nwait frames 3\n";
-  read += "expect step 5\nkey PageDown\nwait frames 3\nkey PageDown\nwait frames 3\nclick lesson/close\nwait idle\n";
+  for (int step = 1; step < 7; ++step) read += "key Shift+PageDown\nwait frames 3\n";
+  read += "expect step 7\nkey PageDown\nwait frames 3\nclick lesson/close\nwait idle\n";
   auto run = start(folder, read);
   ASSERT_EQ(run.status, 0) << run.errors;
   run = start(folder, "key F2\nwait idle\nexpect lessons/linear_algebra/read on\n"
