@@ -4,10 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <iterator>
+#include <map>
 #include <optional>
 #include <random>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/number_text.h"
 #include "document/permalink.h"
@@ -64,6 +69,15 @@ double number_of(const PixelStory& story, const FieldQuery& query) {
   return number;
 }
 
+/// Any event, every kind that the story has as likely as another: of thousands of rejections there is no number.
+int any_event(const PixelStory& story, const std::function<std::size_t(std::size_t)>& pick) {
+  std::map<std::string_view, std::vector<int>> kinds;
+  for (int i = 0; i < static_cast<int>(story.events.size()); ++i)
+    kinds[event_kind(story.events[static_cast<std::size_t>(i)].data)].push_back(i);
+  const std::vector<int>& alike = std::next(kinds.begin(), static_cast<std::ptrdiff_t>(pick(kinds.size())))->second;
+  return alike[pick(alike.size())];
+}
+
 struct Case {
   const char* scene;
   std::vector<std::string> settings;
@@ -81,7 +95,7 @@ void expect_as_in_stories(const Case& one, std::mt19937& random) {
   int compared = 0, queries = 0;
   for (int round = 0; round < 200 && queries < 5; ++round) {
     const PixelStory chosen = inspect(scene, view, settings, any_pixel(), prepared, progress);
-    const int event = static_cast<int>(pick(chosen.events.size()));
+    const int event = any_event(chosen, pick);
     const auto fields = event_fields(chosen.events[static_cast<std::size_t>(event)].data);
     const EventField& field = fields[pick(fields.size())];
     const auto query =
