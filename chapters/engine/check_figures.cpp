@@ -22,16 +22,16 @@ PixelStory own_story(const Lesson& lesson, int step, Progress& progress) {
 
 /// Empty where the lesson has the number of the story.
 std::string fault_of(const FigureNumber& number, const PixelStory& story) {
-  const auto told = [&](const std::string& found, const std::string& expected) {
+  const auto fault = [&](const std::string& found, const std::string& expected) {
     return std::string(InputError(number.place, found, expected).what());
   };
   const auto value = number_at(number, story);
   if (!value)
-    return told(fmt::format("'{}'", number.name),
-                "a number that the step's own pixel has: no " + field_query_words(number.query));
+    return fault(fmt::format("'{}'", number.name),
+                 "a number that the step's own pixel has: no " + field_query_words(number.query));
   if (std::abs(*value - number.own) <= tolerance * std::abs(*value) + least_tolerance) return {};
-  return told(fmt::format("'{}' = {}", number.name, number.own),
-              fmt::format("{:.4g}, as at the step's own pixel", *value));
+  return fault(fmt::format("'{}' = {}", number.name, number.own),
+               fmt::format("{:.4g}, as at the step's own pixel", *value));
 }
 
 }  // namespace

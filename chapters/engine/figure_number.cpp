@@ -12,7 +12,6 @@
 #include "engine/figure_values.h"
 #include "engine/words.h"
 #include "math/portable.h"
-#include "record/story_number.h"
 
 namespace ps {
 namespace {

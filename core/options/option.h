@@ -100,6 +100,8 @@ std::string option_text(const Option& option, const Settings& settings);
 void parse_option(const Option& option, std::string_view text, Settings& settings);
 /// Sets "key=value". Throws InputError for an unknown key, naming the nearest known one.
 void parse_assignment(std::string_view assignment, Settings& settings);
+/// Sets "key=value;key=value", from left to right; none if the text is empty. Throws InputError as above.
+void parse_assignments(std::string_view assignments, Settings& settings);
 /// Only the options that differ from the defaults, as "key=value" in table order.
 std::vector<std::string> changed_options(const Settings& settings);
 /// Why the option cannot act now, or nothing: the renderer does not use it, or its own reason.

@@ -104,6 +104,14 @@ void parse_assignment(std::string_view assignment, Settings& settings) {
                                did_you_mean(key, known, "; 'pixelscope-cli options' lists all options")));
 }
 
+void parse_assignments(std::string_view assignments, Settings& settings) {
+  while (!assignments.empty()) {
+    const std::size_t end = std::min(assignments.find(';'), assignments.size());
+    parse_assignment(assignments.substr(0, end), settings);
+    assignments.remove_prefix(std::min(end + 1, assignments.size()));
+  }
+}
+
 std::vector<std::string> changed_options(const Settings& settings) {
   std::vector<std::string> changed;
   for (const Option& option : option_table())

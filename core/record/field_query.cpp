@@ -10,7 +10,6 @@
 #include "base/number_text.h"
 #include "base/word_search.h"
 #include "record/event_keys.h"
-#include "record/story_number.h"
 
 namespace ps {
 namespace {
@@ -112,14 +111,14 @@ std::optional<double> number_of_story(const std::vector<Event>& events, const Fi
   int seen = -1;
   for (int i = 0; i < static_cast<int>(events.size()); ++i)
     if (const auto* fragment = std::get_if<FragmentEvent>(&events[static_cast<std::size_t>(i)].data))
-      if (fragment->depth != FragmentEvent::Depth::failed && fragment->pass != FragmentEvent::Pass::depth_first)
-        seen = i;
+      if (is_drawn(*fragment)) seen = i;
   int passed = 0;
   for (int i = 0; i < static_cast<int>(events.size()); ++i) {
     const EventData& data = events[static_cast<std::size_t>(i)].data;
+    if (!matches(query, data)) continue;
     const Place place = place_of(events, i);
     const int fragment = std::holds_alternative<FragmentEvent>(data) ? i : place.fragment;
-    if (!matches(query, data) || place.path != query.path || (fragment >= 0 && fragment != seen)) continue;
+    if (place.path != query.path || (fragment >= 0 && fragment != seen)) continue;
     if (passed++ == query.order) return field_number(query, data);
   }
   return {};

@@ -49,6 +49,16 @@ std::optional<double> number_in(const FieldValue& value, int component);
 /// The number that the event has there; absent where it has none.
 std::optional<double> field_number(const FieldQuery& query, const EventData& data);
 
+/// The number of a story that a query asks for, as a picture of that number shows it: of a rasterizer's fragments that
+/// of the one that is seen. Absent where the story has no such event or number. Queries about lines of a listing have
+/// none.
+std::optional<double> number_of_story(const std::vector<Event>& events, const FieldQuery& query);
+
+/// Does the fragment reach the picture? One that does not, hides all that it reports from a query.
+inline bool is_drawn(const FragmentEvent& fragment) {
+  return fragment.depth != FragmentEvent::Depth::failed && fragment.pass != FragmentEvent::Pass::depth_first;
+}
+
 /// "< 0.001": marks the pixels whose number meets it.
 struct FieldCondition {
   enum class Relation { below, above, equal } relation = Relation::below;

@@ -83,7 +83,7 @@ class FieldRecorder {
 
   /// A fragment that is not drawn hides all that it reports.
   Scope fragment(const FragmentEvent& event) {
-    if (event.depth == FragmentEvent::Depth::failed || event.pass == FragmentEvent::Pass::depth_first) {
+    if (!is_drawn(event)) {
       ++hidden_;
       return Scope::hidden;
     }

@@ -11,11 +11,7 @@ namespace ps {
 namespace {
 
 Settings made_safe(Settings settings, std::string_view assignments) {
-  for (std::size_t begin = 0; begin < assignments.size();) {
-    const std::size_t end = std::min(assignments.find(';', begin), assignments.size());
-    parse_assignment(assignments.substr(begin, end - begin), settings);
-    begin = end + 1;
-  }
+  parse_assignments(assignments, settings);
   return settings;
 }
 

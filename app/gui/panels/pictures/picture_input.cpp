@@ -120,9 +120,8 @@ void drag(Session& session, PicturesState& state, Side side, const Area& area) {
     if (by.x != 0 || by.y != 0) turn_by_drag(session, state.mouse.drag, by);
     return;
   case PictureDrag::divider: {
-    const Area whole = state.drawn.transform.picture_area(state.pictures[0].size(), area);
-    const float low = std::max(whole.min.x, area.min.x), high = std::min(whole.max.x, area.max.x);
-    const double share = std::clamp((io.MousePos.x - low) / std::max(high - low, 1.f), 0.f, 1.f);
+    const Area seen = state.drawn.transform.seen(state.pictures[0].size(), area);
+    const double share = std::clamp((io.MousePos.x - seen.min.x) / std::max(seen.width(), 1.f), 0.f, 1.f);
     session.navigate([&](Document& document) { document.split = share; });
     return;
   }

@@ -70,14 +70,8 @@ std::string short_text(const UnsafeSetting& unsafe, float room) {
 }
 
 void make_safe(Session& session, Side side, const UnsafeSetting& unsafe) {
-  session.edit(fmt::format("{}: {}", letter_of(side), settings_in_words(unsafe.safe, ";")), [&](Document& document) {
-    std::string_view rest = unsafe.safe;
-    while (!rest.empty()) {
-      const auto end = std::min(rest.find_first_of("; "), rest.size());
-      if (end > 0) parse_assignment(std::string(rest.substr(0, end)), side_of(document, side).settings);
-      rest.remove_prefix(std::min(end + 1, rest.size()));
-    }
-  });
+  session.edit(fmt::format("{}: {}", letter_of(side), settings_in_words(unsafe.safe, ";")),
+               [&](Document& document) { parse_assignments(unsafe.safe, side_of(document, side).settings); });
 }
 
 /// Answers the experiment that is asked for.
