@@ -69,6 +69,32 @@ TEST(MappedNormals, StretchedWallAgainstTheClosedForm) {
     }
 }
 
+// The same wall in a light from the right and from below: by Lambert's law
+// 0.8 * 0.5863 - 0.6 * 0.3084 = 0.284 of the light arrives where axes stay upright, and 0.494 where the relief is
+// stretched.
+TEST(MappedNormals, StretchedWallInTheLight) {
+  Transform transform;
+  transform.translation = {0, 0, 5};
+  transform.scale = {1, 3, 1};
+  Scene scene = wall({0.5f, 0.8f, 0.9f}, transform);
+  scene.lights.edit([](std::vector<Light>& lights) {
+    lights[0].kind = LightKind::directional;
+    lights[0].direction = {0.7491, -0.3084, -0.5863};
+  });
+  for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
+    Settings settings;
+    settings.renderer = renderer;
+    settings.backface_culling = false;
+    settings.shadows = Shadows::none;
+    const auto brightness = [&](MappedNormals how) {
+      settings.mapped_normals = how;
+      return render(scene, {scene.camera, 3, 3}, settings, request_for(Channel::none)).colour.at(1, 1).x;
+    };
+    EXPECT_NEAR(brightness(MappedNormals::world_frame), 0.284, 5e-4);
+    EXPECT_NEAR(brightness(MappedNormals::inverse_transpose), 0.494, 5e-4);
+  }
+}
+
 // Any scale, any rotation, any texel: the mapped normal of the model times the inverse transpose of its matrix.
 TEST(MappedNormals, AnyTransformAgainstAnInvertedMatrix) {
   const unsigned seed = 20260311;
