@@ -54,7 +54,7 @@ void order_children(WideNode& node, std::size_t count) {
   }
   for (std::uint32_t slot = 0; slot < wide_width; ++slot)
     for (int octant = 0; octant < 8; ++octant)
-      node.order[children[slot].place[static_cast<std::size_t>(octant / 4)][octant % 4]] |= slot << (3 * octant);
+      node.order[octant] |= slot << (3 * children[slot].place[static_cast<std::size_t>(octant / 4)][octant % 4]);
 }
 
 namespace {

@@ -37,10 +37,13 @@ struct alignas(64) WideNode {
   /// Planes of the children's boxes: low x, high x, low y, high y, low z, high z.
   float planes[6][wide_width];
   WideChild child[wide_width];
-  /// For each octant of ray directions the places in the order from near to far: three bits of octant o from bit 3 o
-  /// on. Bit k of an octant says that the direction points down axis k.
-  std::uint32_t order[wide_width];
+  /// For each octant of ray directions the slots of the children in the order from near to far: that of place p in
+  /// three bits from bit 3 p on. Bit k of an octant says that the direction points down axis k.
+  std::uint32_t order[8];
 };
+
+/// The slot at a place of an order.
+inline std::uint32_t slot_at(std::uint32_t order, std::size_t place) { return order >> (3 * place) & 7u; }
 
 /// A node without children, and how one is filled: a box for each place, then, once all are there, the orders.
 WideNode empty_wide_node();

@@ -11,6 +11,7 @@
 
 #include "accel/slab.h"
 #include "hwy/highway.h"
+#include "raytrace/fast/wide_children-inl.h"
 #include "raytrace/fast/wide_search.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -61,7 +62,7 @@ struct BoxRay {
     set(down, axes(inverse), axes(near), axes(far));
   }
   HWY_INLINE void set(unsigned down, Axes inverse, Axes near, Axes far) {
-    octant_shift = 3 * static_cast<int>(down);
+    octant = down;
     plane_x = (down & 1u) * wide_width;
     plane_y = (2 + (down >> 1 & 1u)) * wide_width;
     plane_z = (4 + (down >> 2)) * wide_width;
@@ -83,7 +84,7 @@ struct BoxRay {
   }
   Boxes8 inverse_x, inverse_y, inverse_z, near_x, near_y, near_z, far_x, far_y, far_z;
   std::size_t plane_x, plane_y, plane_z;  ///< where in WideNode::planes the planes are that the ray meets first
-  int octant_shift;                       ///< to the octant's bits of WideNode::order
+  unsigned octant;                        ///< of the direction: a place in WideNode::order
 };
 
 /// Where the ray enters (`first`) and leaves (`last`) boxes of a node from `lane` on, within [0, limit]. The second
@@ -124,13 +125,19 @@ struct PlacesOfBits {
 };
 inline constexpr PlacesOfBits far_to_near;
 
-/// Enters those children of a node that the ray meets before `limit`: the nearest, by the order for the ray's octant,
-/// becomes `next`, the others wait on top of the stack, the nearer the higher. False if there is none.
+/// Any hit is as good as another: then it costs more to order the children than it saves.
+enum class Visits { by_slot, near_to_far };
+
+/// Enters those children of a node that the ray meets before `limit`: one becomes `next`, the others wait on top of the
+/// stack, the sooner the higher. False if there is none. From near to far, in the order for the ray's octant, or by
+/// slot; then Waiting::near means nothing.
+template <Visits visits>
 HWY_INLINE bool enter_node(const WideNode& node, const BoxRay& ray, Boxes8 limit, Waiting& waiting, std::size_t& top,
                            WideChild& next) {
   const Boxes d;
   if constexpr (box_lanes == 8) {
     const Words w;
+    hwy::Prefetch(node.child);  // a line of its own, read later than the planes
     const BoxSpan span = box_span(node, ray, limit, 0);
     const auto entered = hn::Le(span.first, span.last);
     std::uint8_t bytes[8] = {};
@@ -141,19 +148,24 @@ HWY_INLINE bool enter_node(const WideNode& node, const BoxRay& ray, Boxes8 limit
       next = node.child[hwy::Num0BitsBelowLS1Bit_Nonzero32(bits)];
       return true;
     }
-    const auto order = hn::And(hn::ShiftRightSame(hn::Load(w, node.order), ray.octant_shift), hn::Set(w, 7u));
-    // The boxes entered, by their place in the order from near to far; then their slots, the nearest last.
-    const auto chosen = hn::TableLookupLanes(hn::VecFromMask(d, entered), hn::IndicesFromVec(d, order));
-    std::uint8_t ordered[8] = {};
-    hn::StoreMaskBits(d, hn::MaskFromVec(chosen), ordered);
+    // The places of the boxes entered, the soonest last; then what is there.
     const hn::Rebind<std::uint8_t, Words> b;
-    const auto places = hn::PromoteTo(w, hn::LoadU(b, far_to_near.places[ordered[0]].data()));
-    const auto slots = hn::TableLookupLanes(order, hn::IndicesFromVec(w, places));
-    hn::StoreU(hn::TableLookupLanes(span.first, hn::IndicesFromVec(d, slots)), d, waiting.near.data() + top);
+    const auto places_of = [&](unsigned set)
+                               HWY_ATTR { return hn::PromoteTo(w, hn::LoadU(b, far_to_near.places[set].data())); };
+    std::size_t soonest = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
+    auto slots = places_of(bits);
+    if constexpr (visits == Visits::near_to_far) {
+      const std::uint32_t packed = node.order[ray.octant];
+      const auto order = slots_in_order(packed);
+      const auto chosen = hn::TableLookupLanes(hn::VecFromMask(d, entered), hn::IndicesFromVec(d, order));
+      hn::StoreMaskBits(d, hn::MaskFromVec(chosen), bytes);
+      soonest = slot_at(packed, hwy::Num0BitsBelowLS1Bit_Nonzero32(bytes[0]));
+      slots = hn::TableLookupLanes(order, hn::IndicesFromVec(w, places_of(bytes[0])));
+      hn::StoreU(hn::TableLookupLanes(span.first, hn::IndicesFromVec(d, slots)), d, waiting.near.data() + top);
+    }
     hn::StoreU(hn::TableLookupLanes(hn::Load(w, node.child), hn::IndicesFromVec(w, slots)), w,
                waiting.child.data() + top);
-    const unsigned nearest = node.order[hwy::Num0BitsBelowLS1Bit_Nonzero32(ordered[0])] >> ray.octant_shift & 7u;
-    next = node.child[nearest];
+    next = node.child[soonest];
     top += hwy::PopCount(bits) - 1;
     return true;
   } else {
@@ -164,8 +176,8 @@ HWY_INLINE bool enter_node(const WideNode& node, const BoxRay& ray, Boxes8 limit
       hn::Store(span.last, d, last + lane);
     }
     const std::size_t before = top;
-    for (int place = wide_width - 1; place >= 0; --place) {
-      const std::uint32_t slot = node.order[place] >> ray.octant_shift & 7u;
+    for (std::size_t place = wide_width; place-- > 0;) {
+      const std::size_t slot = visits == Visits::by_slot ? place : slot_at(node.order[ray.octant], place);
       waiting.near[top] = first[slot];
       waiting.child[top] = node.child[slot];
       top += first[slot] <= last[slot] ? 1 : 0;
@@ -177,10 +189,11 @@ HWY_INLINE bool enter_node(const WideNode& node, const BoxRay& ray, Boxes8 limit
 }
 
 /// Follows a ray through a tree, from near to far: leaf(first, count) is called for the leaves that it meets before
-/// `best`, and says whether `best` has improved; with `ends`, that is the end.
-template <bool ends, class Leaf>
-HWY_INLINE void walk_nodes(const WideNode* nodes, const BoxRay& boxes, const Hit<float>& best, std::uint64_t& visits,
-                           Leaf&& leaf) {
+/// `best`, and says whether `best` has improved; with `ends`, that is the end. `blocks` is where leaves have theirs.
+template <bool ends, class Block, class Leaf>
+HWY_INLINE void walk_nodes(const WideNode* nodes, const Block* blocks, const BoxRay& boxes, const Hit<float>& best,
+                           std::uint64_t& visits, Leaf&& leaf) {
+  constexpr Visits order = ends ? Visits::by_slot : Visits::near_to_far;
   Waiting waiting;
   std::size_t top = 0;
   WideChild current = 0;
@@ -189,7 +202,10 @@ HWY_INLINE void walk_nodes(const WideNode* nodes, const BoxRay& boxes, const Hit
   while (true) {
     while (!is_leaf(current)) {
       ++node_visits;
-      if (enter_node(nodes[current], boxes, limit, waiting, top, current)) continue;
+      if (enter_node<order>(nodes[current], boxes, limit, waiting, top, current)) {
+        if (top != 0) fetch_soon(nodes, blocks, waiting.child[top - 1]);
+        continue;
+      }
       do {
         if (top == 0) goto done;
         --top;

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 
-#include "hwy/cache_control.h"
 #include "options/simd_choice.h"
 
 // This file is compiled once for each SIMD target. Only the two with eight and sixteen lanes are kept.
@@ -16,6 +15,7 @@
 #if HWY_ARCH_X86 && (HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3)
 #include "raytrace/fast/packet_boxes-inl.h"
 #include "raytrace/fast/packet_triangles-inl.h"
+#include "raytrace/fast/wide_children-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ps::HWY_NAMESPACE {
@@ -113,19 +113,12 @@ bool make(std::span<const Ray<float>> rays, const SeenFrom<float>& seen, float p
   return true;
 }
 
-/// The places, in the order of `octant_shift`, of the slots in `slots`; bit i is place or slot i.
-HWY_INLINE unsigned places_of(const WideNode& node, unsigned slots, int octant_shift) {
-  const hn::CappedTag<std::uint32_t, wide_width> d;
-  const auto order = hn::And(hn::ShiftRightSame(hn::Load(d, node.order), octant_shift), hn::Set(d, 7u));
+/// The places, in an order of WideNode::order, of the slots in `slots`; bit i is place or slot i.
+HWY_INLINE unsigned places_of(std::uint32_t packed, unsigned slots) {
+  const Slots d;
+  const auto order = slots_in_order(packed);
   const auto bit = hn::And(hn::Set(d, slots), hn::Shl(hn::Set(d, 1u), order));
   return bits_of(d, hn::Ne(bit, hn::Zero(d)));
-}
-
-/// Asks for the memory of a child that waits.
-HWY_INLINE void fetch_soon(const WideBvh& bvh, WideChild child) {
-  const char* const begin = is_leaf(child) ? reinterpret_cast<const char*>(&bvh.blocks[leaf_first(child)])
-                                           : reinterpret_cast<const char*>(&bvh.nodes[child]);
-  for (std::size_t line = 0; line < sizeof(WideNode); line += 64) hwy::Prefetch(begin + line);
 }
 
 template <SimdTriangleTest test, Origins origins>
@@ -134,8 +127,7 @@ HWY_NOINLINE void search_from(const WideBvh& bvh, const WidePacket& packet, Wide
   const I i;
   const BoxAxes rays(packet, bvh.centre);
   const Beam beam(packet, bvh.centre, rays);
-  const int octant_shift =
-      static_cast<int>(3 * ((rays.x.near_plane & 1u) | (rays.y.near_plane & 1u) << 1 | (rays.z.near_plane & 1u) << 2));
+  const std::size_t octant = (rays.x.near_plane & 1u) | (rays.y.near_plane & 1u) << 1 | (rays.z.near_plane & 1u) << 2;
   const Triangles<test, origins> triangles(packet);
   Best best{
       hn::Load(d, hits.t.data()),
@@ -171,11 +163,12 @@ HWY_NOINLINE void search_from(const WideBvh& bvh, const WidePacket& packet, Wide
       const WideNode& node = bvh.nodes[current];
       count.nodes += hwy::PopCount(active & own);
       const std::size_t before = top;
-      for (unsigned places = places_of(node, origins == Origins::one ? beam.meets(node, limit) : 0xffu, octant_shift);
+      const std::uint32_t order = node.order[octant];
+      for (unsigned places = places_of(order, origins == Origins::one ? beam.meets(node, limit) : 0xffu);
            places != 0;) {
         const std::size_t place = 31 - hwy::Num0BitsAboveMS1Bit_Nonzero32(places);  // the nearest last
         places ^= 1u << place;
-        const std::uint32_t slot = node.order[place] >> octant_shift & 7u;
+        const std::uint32_t slot = slot_at(order, place);
         const auto plane = [&](std::size_t index) HWY_ATTR { return all(node.planes[index][slot]); };
         const LaneSpan span = span_in_box(rays, best.t, plane);
         const M entered = hn::Le(span.first, span.last);
@@ -184,7 +177,7 @@ HWY_NOINLINE void search_from(const WideBvh& bvh, const WidePacket& packet, Wide
         hn::Store(hn::IfThenElse(entered, span.first, hn::Inf(d)), d, stack[top].near);
         const WideChild child = node.child[slot];
         stack[top++].child = child;
-        fetch_soon(bvh, child);
+        fetch_soon(bvh.nodes.data(), bvh.blocks.data(), child);
       }
       if (top > before) {
         current = stack[--top].child;

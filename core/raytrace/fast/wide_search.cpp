@@ -34,7 +34,7 @@ HWY_NOINLINE void search_tree(const WideBvh& bvh, const WideQuery& query, Hit<fl
       found |= triangles.template test<filtered>(blocks[first + i], 0, query, best);
     return found;
   };
-  walk_nodes<find == Find::any>(bvh.nodes.data(), BoxRay(query, bvh.centre), best, count.nodes, test_blocks);
+  walk_nodes<find == Find::any>(bvh.nodes.data(), blocks, BoxRay(query, bvh.centre), best, count.nodes, test_blocks);
   count.triangles += wide_block_width * block_tests;
 }
 
