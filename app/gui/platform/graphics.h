@@ -49,6 +49,10 @@ class Graphics {
   virtual void destroy_texture(ImTextureID texture) = 0;
   /// ImDrawList::AddImage without a tint and without blending.
   virtual void add_plain(ImDrawList& list, ImTextureID texture, ImVec2 min, ImVec2 max) = 0;
+  /// The same for an enlarged and smooth texture: each pixel has one colour, and is mixed with the next one only where
+  /// both share a pixel of the window, so that all are equally wide. False: it cannot be done, and the list is as
+  /// before.
+  virtual bool add_even(ImDrawList& /*list*/, ImTextureID /*texture*/, ImVec2 /*min*/, ImVec2 /*max*/) { return false; }
 };
 
 /// A window with what draws into it, hidden yet.

@@ -95,12 +95,19 @@ class OpenGlGraphics : public Graphics {
     glDeleteTextures(1, &number);
   }
   void add_plain(ImDrawList& list, ImTextureID texture, ImVec2 min, ImVec2 max) override {
-    list.AddCallback(begin_plain, nullptr);
-    list.AddImage(texture, min, max);
-    list.AddCallback(ImDrawCallback_ResetRenderState, nullptr);
+    add_with(begin_plain, list, texture, min, max);
+  }
+  bool add_even(ImDrawList& list, ImTextureID texture, ImVec2 min, ImVec2 max) override {
+    add_with(begin_even, list, texture, min, max);
+    return true;
   }
 
  private:
+  static void add_with(ImDrawCallback begin, ImDrawList& list, ImTextureID texture, ImVec2 min, ImVec2 max) {
+    list.AddCallback(begin, nullptr);
+    list.AddImage(texture, min, max);
+    list.AddCallback(ImDrawCallback_ResetRenderState, nullptr);
+  }
   static void set_filter(GLint filter) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);

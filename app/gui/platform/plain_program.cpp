@@ -12,10 +12,21 @@ constexpr const char* vertex_source = "uniform mat4 projection;\n"
                                       "in vec2 corner;\n"
                                       "out vec2 uv;\n"
                                       "void main() { uv = corner; gl_Position = projection * vec4(place, 0, 1); }\n";
-constexpr const char* fragment_source = "uniform sampler2D picture;\n"
-                                        "in vec2 uv;\n"
-                                        "out vec4 colour;\n"
-                                        "void main() { colour = texture(picture, uv); }\n";
+constexpr const char* plain_source = "uniform sampler2D picture;\n"
+                                     "in vec2 uv;\n"
+                                     "out vec4 colour;\n"
+                                     "void main() { colour = texture(picture, uv); }\n";
+// The filter mixes two texels by the place between their centres. Half a pixel of the window on both sides of their
+// edge becomes that way; beyond it the place is a centre, a little behind it so that rounding reaches no other texel.
+constexpr const char* even_source = "uniform sampler2D picture;\n"
+                                    "in vec2 uv;\n"
+                                    "out vec4 colour;\n"
+                                    "void main() {\n"
+                                    "  vec2 size = vec2(textureSize(picture, 0)), place = uv * size;\n"
+                                    "  vec2 edge = floor(place + 0.5);\n"
+                                    "  place = edge + clamp((place - edge) / fwidth(place), -0.5, 0.5) + 0.0005;\n"
+                                    "  colour = texture(picture, place / size);\n"
+                                    "}\n";
 
 GLuint compiled(GLenum kind, const char* source) {
   const GLuint shader = glCreateShader(kind);
@@ -25,9 +36,9 @@ GLuint compiled(GLenum kind, const char* source) {
   return shader;
 }
 
-/// The program that draws plain textures with the vertices of Dear ImGui's back end, where these are read by
-/// `theirs`; 0 if it cannot be made.
-GLuint plain_program(GLuint theirs) {
+/// A program that draws textures with the vertices of Dear ImGui's back end, where these are read by `theirs`; 0 if it
+/// cannot be made.
+GLuint program_of(const char* fragment_source, GLuint theirs) {
   const GLint place = glGetAttribLocation(theirs, "Position"), corner = glGetAttribLocation(theirs, "UV");
   if (place < 0 || corner < 0) return 0;
   const GLuint program = glCreateProgram();
@@ -44,12 +55,15 @@ GLuint plain_program(GLuint theirs) {
   return 0;
 }
 
-}  // namespace
+/// The program that is in use: that of Dear ImGui's back end.
+GLuint program_in_use() {
+  GLint number = 0;
+  glGetIntegerv(GL_CURRENT_PROGRAM, &number);
+  return static_cast<GLuint>(number);
+}
 
-void begin_plain(const ImDrawList* /*list*/, const ImDrawCmd* /*command*/) {
-  GLint theirs = 0;
-  glGetIntegerv(GL_CURRENT_PROGRAM, &theirs);
-  static const GLuint program = plain_program(static_cast<GLuint>(theirs));
+/// Draws with this program what comes next.
+void use(GLuint program) {
   if (program == 0) return;
   const ImDrawData& data = *ImGui::GetDrawData();
   const float left = data.DisplayPos.x, right = left + data.DisplaySize.x, top = data.DisplayPos.y,
@@ -74,6 +88,18 @@ void begin_plain(const ImDrawList* /*list*/, const ImDrawCmd* /*command*/) {
   glUniform1i(glGetUniformLocation(program, "picture"), 0);
   glUniformMatrix4fv(glGetUniformLocation(program, "projection"), 1, GL_FALSE, projection.data());
   glDisable(GL_BLEND);
+}
+
+}  // namespace
+
+void begin_plain(const ImDrawList* /*list*/, const ImDrawCmd* /*command*/) {
+  static const GLuint program = program_of(plain_source, program_in_use());
+  use(program);
+}
+
+void begin_even(const ImDrawList* /*list*/, const ImDrawCmd* /*command*/) {
+  static const GLuint program = program_of(even_source, program_in_use());
+  use(program);
 }
 
 }  // namespace ps::gui

@@ -1,6 +1,7 @@
 #include "gui/platform/texture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,8 @@
 namespace ps::gui {
 
 namespace {
+
+constexpr float unequal_below = 4;  // times: above it a pixel more or less is not seen
 
 std::uint64_t changes_of_all = 0;
 
@@ -37,13 +40,13 @@ Texture::~Texture() {
 
 Texture::Texture(Texture&& other) noexcept
     : id_(std::exchange(other.id_, ImTextureID{})), width_(std::exchange(other.width_, 0)),
-      height_(std::exchange(other.height_, 0)), shrunk_(other.shrunk_) {}
+      height_(std::exchange(other.height_, 0)), smooth_(other.smooth_) {}
 
 Texture& Texture::operator=(Texture&& other) noexcept {
   std::swap(id_, other.id_);
   std::swap(width_, other.width_);
   std::swap(height_, other.height_);
-  std::swap(shrunk_, other.shrunk_);
+  std::swap(smooth_, other.smooth_);
   return *this;
 }
 
@@ -52,7 +55,7 @@ void Texture::upload(const Image<Rgb8>& picture) {
   Graphics& graphics = *Graphics::current();
   if (!id_ || picture.width() != width_ || picture.height() != height_) {
     id_ = graphics.sized_texture(id_, {picture.width(), picture.height()});
-    if (shrunk_) graphics.set_smooth(id_, true);
+    if (smooth_) graphics.set_smooth(id_, true);
   }
   width_ = picture.width();
   height_ = picture.height();
@@ -60,11 +63,11 @@ void Texture::upload(const Image<Rgb8>& picture) {
   graphics.upload(id_, all, four_bytes(picture, all));
 }
 
-void Texture::set_shrunk(bool shrunk) const {
-  if (!id_ || shrunk_ == shrunk) return;
-  shrunk_ = shrunk;
+void Texture::set_smooth(bool smooth) const {
+  if (!id_ || smooth_ == smooth) return;
+  smooth_ = smooth;
   ++changes_of_all;
-  Graphics::current()->set_smooth(id_, shrunk);
+  Graphics::current()->set_smooth(id_, smooth);
 }
 
 void Texture::upload(const Image<Rgb8>& picture, const TileRect& rect) {
@@ -75,7 +78,11 @@ void Texture::upload(const Image<Rgb8>& picture, const TileRect& rect) {
 }
 
 void add_plain_texture(ImDrawList& list, const Texture& texture, ImVec2 min, ImVec2 max) {
-  Graphics::current()->add_plain(list, texture.id(), min, max);
+  Graphics& graphics = *Graphics::current();
+  const float enlarged = (max.x - min.x) / static_cast<float>(std::max(texture.width(), 1));
+  const bool unequal = enlarged > 1 && enlarged < unequal_below && enlarged != std::round(enlarged);
+  if (unequal && graphics.add_even(list, texture.id(), min, max)) return texture.set_smooth(true);
+  graphics.add_plain(list, texture.id(), min, max);
 }
 
 }  // namespace ps::gui

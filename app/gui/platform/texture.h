@@ -24,7 +24,7 @@ class Texture {
 
   /// Whether it is shown smaller than it is, and so its pixels are mixed. One choice for all places where a frame shows
   /// it: drivers that draw by the processor are several times as fast where it does not depend on the size.
-  void set_shrunk(bool shrunk) const;
+  void set_shrunk(bool shrunk) const { set_smooth(shrunk); }
 
   /// Grows whenever any texture changes.
   static std::uint64_t changes();
@@ -36,12 +36,16 @@ class Texture {
   ImTextureID id() const { return id_; }
 
  private:
+  friend void add_plain_texture(ImDrawList& list, const Texture& texture, ImVec2 min, ImVec2 max);
+  void set_smooth(bool smooth) const;
+
   ImTextureID id_{};
   int width_ = 0, height_ = 0;
-  mutable bool shrunk_ = false;
+  mutable bool smooth_ = false;
 };
 
 /// Adds a texture to the list as ImDrawList::AddImage does, but drawn as it is: without a tint and without blending.
+/// Its pixels are equally wide also where it is enlarged a little, and not by a whole number.
 void add_plain_texture(ImDrawList& list, const Texture& texture, ImVec2 min, ImVec2 max);
 
 }  // namespace ps::gui
