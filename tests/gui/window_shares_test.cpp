@@ -2,6 +2,8 @@
 // common and with large type. The window's own figure is counted again in a screenshot.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <vector>
@@ -21,7 +23,9 @@ std::vector<double> printed(const std::string& commands, const std::string& name
                             const std::string& arguments) {
   const auto result = ps::test::play("draw off\n" + commands, ps::fresh_output_folder(name), size, arguments);
   EXPECT_EQ(result.status, 0) << result.errors;
-  std::istringstream lines(result.output);
+  std::string output = result.output;
+  std::replace(output.begin(), output.end(), ',', ' ');  // places are "x,y"
+  std::istringstream lines(output);
   std::vector<double> numbers;
   for (double number = 0; lines >> number;) numbers.push_back(number);
   return numbers;
@@ -115,6 +119,48 @@ INSTANTIATE_TEST_SUITE_P(Screens, WindowShares,
                                          Screen{"3840x2160", "2"}, Screen{"1024x768", "1.5"}, Screen{"1366x768", "1.5"},
                                          Screen{"1920x1080", "1.5"}, Screen{"3840x2160", "3"}),
                          name_of);
+
+TEST(PictureTitles, StandOverTheirPartsOfASplitPicture) {
+  const std::string places = "print pictures/divider@middle\nprint view/a/title@middle\nprint view/b/title@middle\n";
+  for (const std::string by : {"230,0", "-150,0"}) {
+    const auto at = printed("wait idle\nkey X\nwait idle\ndrag pictures/divider " + by + "\nwait idle\n" + places,
+                            "gui-split-titles", "1366x768", "");
+    ASSERT_EQ(at.size(), 6u);
+    EXPECT_LT(at[2], at[0]) << "A's title is left of the divider, moved by " << by;
+    EXPECT_GT(at[4], at[0]) << "and B's right of it";
+    EXPECT_LT(at[4] - at[0], 200) << "close to it";
+  }
+}
+
+TEST(PictureTitles, BeginWhereAnEnlargedPictureDoes) {
+  // The picture fills its place, wherever a fitted one would begin.
+  const auto at = printed("wait idle\nprint view/a/picture@middle\nprint view/a/title@middle\n", "gui-title-zoomed",
+                          "1366x768", "--lesson cgfs_04_shadows_and_reflections/4");
+  ASSERT_EQ(at.size(), 4u);
+  EXPECT_NEAR(at[0], at[2], 8) << "a brief title is as wide as its picture";
+}
+
+/// A disc of one colour on another: without mixtures at its edge, its pixels are not equally wide.
+TEST(EnlargedPicture, HasPixelsOfEqualWidth) {
+  const auto folder = ps::fresh_output_folder("gui-equal-pixels");
+  std::ofstream(folder / "disc.scene") << "canvas_size = 600 x 600\nbackground = (255, 0, 255)\n"
+                                       << "sphere { center = (0, 0, 5) radius = 1 color = (0, 255, 0) }\n"
+                                       << "light { type = ambient intensity = 1 }\n";
+  // Letters and marks are grey.
+  const auto mixed_at = [&](const std::string& zoom) {
+    const std::string shot = (folder / "window.png").string();
+    const auto result = ps::test::play("wait idle\nmove view/a/picture\n" + zoom + "wait idle\nscreenshot " + shot,
+                                       folder, "1366x768", (folder / "disc.scene").string());
+    EXPECT_EQ(result.status, 0) << result.errors;
+    const auto picture = ps::load_levels(shot);
+    int mixed = 0;
+    for (const ps::Rgb8& p : picture.pixels())
+      mixed += p.r > 20 && p.r < 235 && std::abs(p.r + p.g - 255) < 4 && p.r == p.b && std::abs(p.r - p.g) > 8 ? 1 : 0;
+    return mixed;
+  };
+  EXPECT_GT(mixed_at("wheel 2\n"), 400) << "1.25 times";
+  EXPECT_LT(mixed_at("key 1\n"), 100) << "one to one: a few pixels of letters";
+}
 
 TEST(PicturesShare, IsTheShareOfTheWindowThatHasThePicturesColour) {
   const auto folder = ps::fresh_output_folder("gui-share-flat");

@@ -14,6 +14,7 @@
 namespace ps::gui {
 namespace {
 
+constexpr double title_distance = 8;  ///< from a title to its picture, at scale 1
 constexpr double narrow_below = 380;  ///< pictures below this width, at scale 1, get two lines above and below
 
 const std::vector<Choice>& channel_choices() {
@@ -32,6 +33,23 @@ struct TitleFaces {
 TitleFaces title_faces(PictureCaptions captions) {
   return captions == PictureCaptions::projected ? TitleFaces{Face::caption, Face::caption}
                                                 : TitleFaces{Face::bold, Face::small};
+}
+
+/// Parts of a title: the letter's badge, and the list of channels, if it has one.
+struct TitleMeasures {
+  float badge = 0, space = 0;
+  bool two_lines = false;  ///< the list has a line of its own
+  float choice = 0;        ///< the width of the list; 0 = none, as a brief line has no room for it
+};
+/// `height`: of the row.
+TitleMeasures title_measures(Session& session, Side side, float height, PictureCaptions captions) {
+  const double badge = captions == PictureCaptions::projected ? 30 : captions == PictureCaptions::brief ? 18 : 22;
+  TitleMeasures measures{.badge = px(badge), .space = px(8)};
+  if (captions != PictureCaptions::full) return measures;
+  measures.two_lines = height > 2 * ImGui::GetFrameHeight();
+  const std::string_view channel = channel_choices()[static_cast<std::size_t>(session.shown(side))].label;
+  measures.choice = std::max(px(136), text_width(channel) + px(34));  // with the arrow of the list
+  return measures;
 }
 
 /// A title in its room: what differs in bold, if need be in small type or as values alone; then the rest, quietly.
@@ -72,8 +90,8 @@ PictureTitle shown_title(Session& session, Side side) {
 }
 
 PictureMargins picture_margins(float width, PictureCaptions captions) {
-  if (captions == PictureCaptions::brief) return {px(21), px(20)};
-  if (captions == PictureCaptions::projected) return {px(36), px(32)};
+  if (captions == PictureCaptions::brief) return {px(22), px(20)};
+  if (captions == PictureCaptions::projected) return {px(38), px(32)};
   const float notes = px(note_height);
   return width < px(narrow_below) ? PictureMargins{px(66), px(46) + notes} : PictureMargins{px(34), px(26) + notes};
 }
@@ -94,23 +112,37 @@ void side_badge(ImDrawList& list, ImVec2 corner, float size, Side side) {
   const ImVec2 end{corner.x + size, corner.y + size};
   list.AddRectFilled(corner, end, colour_u32(palette().field), px(3));
   side_bar(list, {corner.x, end.y - px(4)}, end, side);
-  const FontScope bold(Face::bold);
+  const FontScope bold(size < px(20) ? Face::small_bold : Face::bold);
   const std::string letter(1, letter_of(side));
   const ImVec2 room{size - text_width(letter), size - px(4) - ImGui::GetFontSize()};
   draw_lines({corner.x + room.x / 2, corner.y + room.y / 2}, letter, palette().text);
 }
 
+Halves over_parts(const Area& row, const Area& place, float at, float left, float right, float gap) {
+  const float space = gap / 2;
+  left = std::min(left, place.width() / 2 - space);
+  right = std::min(right, place.width() / 2 - space);
+  const float middle = std::clamp(at, place.min.x + left + space, place.max.x - right - space);
+  return {{{std::min(row.min.x, middle - space - left), row.min.y}, {middle - space, row.max.y}},
+          {{middle + space, row.min.y}, {std::max(row.max.x, middle + space + right), row.max.y}}};
+}
+
+float title_width(Session& session, Side side, float height, PictureCaptions captions) {
+  const TitleMeasures measures = title_measures(session, side, height, captions);
+  const float words = measures.badge + measures.space +
+                      text_width(shown_title(session, side).differing, title_faces(captions).large) + px(12);
+  if (measures.two_lines) return std::max(words, measures.choice);
+  return words + (measures.choice > 0 ? measures.choice + measures.space : 0);
+}
+
 void picture_title(Session& session, Side side, const Area& row, PictureCaptions captions, std::string_view instead) {
   const NameScope scope(side == Side::a ? "view/a" : "view/b");
-  const bool is_narrow = row.width() < px(narrow_below), two_lines = is_narrow && captions == PictureCaptions::full;
-  const bool has_choice = captions == PictureCaptions::full;  // a brief line has no room for it
-  const float line = two_lines ? row.height() - ImGui::GetFrameHeight() - px(3) : row.height();
-  const float size = std::min(px(captions == PictureCaptions::projected ? 30 : 22), line),
-              top = row.min.y + (line - size) / 2;
-  const std::string_view channel = channel_choices()[static_cast<std::size_t>(session.shown(side))].label;
-  const float channel_room = std::max(px(136), text_width(channel) + px(34));  // with the arrow of the list
-  const float choice_width = has_choice ? std::min(channel_room, row.width() * (two_lines ? 0.7f : 0.45f)) : 0,
-              space = px(8);
+  const TitleMeasures measures = title_measures(session, side, row.height(), captions);
+  const auto [size, space, two_lines, wanted_choice] = measures;
+  const bool has_choice = wanted_choice > 0;
+  const float choice_width = std::min(wanted_choice, row.width() * (two_lines ? 0.7f : 0.45f));
+  const float frame = ImGui::GetFrameHeight(), above = px(captions == PictureCaptions::brief ? 4 : title_distance);
+  const float top = row.max.y - above - size - (two_lines ? frame + px(4) : 0);
   side_badge(*ImGui::GetWindowDrawList(), {row.min.x, top}, size, side);
 
   PictureTitle words = shown_title(session, side);
@@ -134,8 +166,8 @@ void picture_title(Session& session, Side side, const Area& row, PictureCaptions
     });
 
   if (!has_choice) return;
-  const float choice_room = two_lines ? ImGui::GetFrameHeight() + px(6) : line;
-  ImGui::SetCursorScreenPos({row.max.x - choice_width, row.max.y - (choice_room + ImGui::GetFrameHeight()) / 2});
+  const float choice_top = two_lines ? row.max.y - above - frame : top - (frame - size) / 2;
+  ImGui::SetCursorScreenPos({row.max.x - choice_width, choice_top});
   int shown = static_cast<int>(session.shown(side));
   if (choice("show", channel_choices(), shown, {.tooltip = "What this picture shows.", .width = choice_width}))
     session.edit(fmt::format("{} shows {}", letter_of(side), channel_choices()[static_cast<std::size_t>(shown)].label),

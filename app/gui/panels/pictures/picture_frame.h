@@ -33,6 +33,17 @@ void side_badge(ImDrawList& list, ImVec2 corner, float size, Side side);
 /// The words over a side: those of the technique that A and B compare, or else the settings.
 PictureTitle shown_title(Session& session, Side side);
 
+/// Two areas beside or above each other.
+struct Halves {
+  Area first, second;
+};
+/// A row over or below a split picture, divided where the picture is: each part lies at its own part of the picture,
+/// and reaches beyond it only as far as it needs that. `left` and `right`: the widths that they need.
+Halves over_parts(const Area& row, const Area& place, float at, float left, float right, float gap);
+
+/// The width that a side's title needs to be read in full, in a row of this height.
+float title_width(Session& session, Side side, float height, PictureCaptions captions);
+
 /// The line above a picture: letter, what it is made with, and which channel is shown. `row` has the height of
 /// picture_margins(). `instead`, where it is not empty, replaces what the picture is made with.
 void picture_title(Session& session, Side side, const Area& row, PictureCaptions captions = PictureCaptions::full,

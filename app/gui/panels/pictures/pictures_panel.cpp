@@ -239,31 +239,27 @@ constexpr float least_block = 0.6f;  // of the height that there is, for a wide 
 constexpr double narrowest_title = 380, narrow_title = 200;  // at scale 1: with all in one line, and else
 
 /// Title, picture and footer as one block in the middle of what framed() leaves to them. The lines begin where the
-/// picture does, or as far to the left as `columns` titles need it.
-Framed as_block(const Session& session, const DrawnPictures& drawn, Framed in, Vec2i picture_size, int columns = 1) {
+/// picture is seen to begin, or as far to the left as a title needs it.
+Framed as_block(const Session& session, const DrawnPictures& drawn, Framed in, Vec2i picture_size) {
   if (picture_size.x <= 0) return in;
   const double zoom = fitted_as(drawn.fit, picture_size, in.picture).zoom;
   const float room = in.picture.height(), width = in.picture.width();
   const float height = std::ceil(static_cast<float>(zoom * picture_size.y));
   const float least_height = session.document().view.zoom > 0 ? room * least_block : 0;
   const float spare = std::max(std::floor((room - std::max(height, least_height)) / 2), 0.f);
-  const float shown = std::min(static_cast<float>(zoom * picture_size.x), width);
-  const auto titles = static_cast<float>(columns);
-  const float wanted = px(narrowest_title) * titles + px(gap) * (titles - 1);
-  const bool in_one_line = drawn.captions == PictureCaptions::full && width >= wanted;  // with the list of channels
-  const float least = std::min(in_one_line ? wanted : px(narrow_title) * titles, width);
-  const float inset = std::floor(std::min((width - shown) / 2, width - least));
-  const float line = std::max(shown, std::min(wanted, width - inset)), left = in.picture.min.x + inset;
-  in.title = {{left, in.title.min.y + spare}, {left + line, in.title.max.y + spare}};
-  in.footer = {{left, in.footer.min.y - spare}, {left + line, in.footer.max.y - spare}};
   in.picture.min.y += spare;
   in.picture.max.y -= spare;
+  const Area seen =
+      current_transform(session.document(), picture_size, in.picture, drawn.fit).seen(picture_size, in.picture);
+  const bool one_line = drawn.captions == PictureCaptions::full && width >= px(narrowest_title);
+  const float least = std::min(px(one_line ? narrowest_title : narrow_title), width);
+  const float left = std::min(std::floor(seen.min.x), in.picture.max.x - least);
+  const float right = left + std::max(seen.max.x - left, std::min(px(narrowest_title), in.picture.max.x - left));
+  in.title = {{left, in.title.min.y + spare}, {right, in.title.max.y + spare}};
+  in.footer = {{left, in.footer.min.y - spare}, {right, in.footer.max.y - spare}};
   return in;
 }
 
-struct Halves {
-  Area first, second;
-};
 /// Side by side or one above the other, whichever shows the pictures larger.
 Halves halves(const Area& area, Vec2i picture_size, PictureCaptions captions) {
   const float space = px(gap);
@@ -332,20 +328,24 @@ void one_side(Session& session, PicturesState& state, Side side, const Area& are
 
 void split_view(Session& session, PicturesState& state, const Area& area) {
   const auto [title_row, inner, footer] =
-      as_block(session, state.drawn, framed(area, state.drawn.captions, 2), state.pictures[0].size(), 2);
+      as_block(session, state.drawn, framed(area, state.drawn.captions, 2), state.pictures[0].size());
   state.drawn.transform = current_transform(session.document(), state.pictures[0].size(), inner, state.drawn.fit);
   const Area seen = state.drawn.transform.seen(state.pictures[0].size(), inner);
   const float at = std::round(seen.min.x + seen.width() * static_cast<float>(session.document().split));
-  const float middle = (title_row.min.x + title_row.max.x) / 2, space = px(gap) / 2;
-  const Side left = state.keys.flip ? Side::b : Side::a;
-  title(session, state, left, {title_row.min, {middle - space, title_row.max.y}});
-  title(session, state, other_side(left), {{middle + space, title_row.min.y}, title_row.max});
+  const Side left = state.keys.flip ? Side::b : Side::a, right = other_side(left);
+  const auto width = [&, height = title_row.height()](Side side) {
+    return title_width(session, side, height, state.drawn.captions);
+  };
+  const Halves titles = over_parts(title_row, inner, at, width(left), width(right), px(gap));
+  title(session, state, left, titles.first);
+  title(session, state, right, titles.second);
   state.drawn.split_at = at;
   picture(session, state, Side::a, inner, at);
   state.drawn.areas[1] = inner;
   divider(seen, at, session.document().split);
-  below(session, state, left, {footer.min, {middle - space, footer.max.y}});
-  below(session, state, other_side(left), {{middle + space, footer.min.y}, footer.max});
+  const Halves lines = over_parts(footer, inner, at, px(narrow_title), px(narrowest_title), px(gap));
+  below(session, state, left, lines.first);
+  below(session, state, right, lines.second);
 }
 
 /// A and B around the mouse, greatly enlarged, side by side.
