@@ -58,9 +58,9 @@ void row(const std::string& label, const std::string& keys, float width) {
     draw_text({at.x + width - keys_width, at.y}, {at.x + width, at.y + line}, keys, palette().text, 1);
   }
   const float room = width - keys_width - px(14);
-  const float height = ImGui::CalcTextSize(label.c_str(), nullptr, false, room).y;
-  ImGui::GetWindowDrawList()->AddText(nullptr, 0, at, colour_u32(palette().text_quiet), label.c_str(), nullptr, room);
-  ImGui::Dummy({width, height});
+  const std::string lines = in_lines(label, room);
+  draw_lines(at, lines, palette().text_quiet);
+  ImGui::Dummy({width, text_height(lines)});
 }
 
 void draw_group(const Actions& actions, const std::string& group, float width) {

@@ -140,11 +140,9 @@ float message_lines(ImDrawList* draw, ImVec2 at, std::string_view text, float wi
     text.remove_prefix(more ? end + 1 : end);
     const bool quoted = line.starts_with(quotation_indent);
     const FontScope font(quoted ? std::optional(Face::mono) : std::nullopt);
-    const float wrap = quoted ? 0 : width;
-    if (draw)
-      draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x, at.y + height}, colour_u32(palette().text),
-                    line.data(), line.data() + line.size(), wrap);
-    height += ImGui::CalcTextSize(line.data(), line.data() + line.size(), false, wrap > 0 ? wrap : -1).y;
+    const std::string shown = quoted ? std::string(line) : in_lines(line, width);
+    if (draw) draw->AddText({at.x, at.y + height}, colour_u32(palette().text), shown.c_str());
+    height += text_height(shown);
   }
   return height;
 }

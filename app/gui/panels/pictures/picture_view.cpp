@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gui/platform/texture.h"
+#include "gui/widgets/draw.h"
 
 namespace ps::gui {
 namespace {
@@ -138,13 +139,14 @@ void draw_loupe(ImDrawList& list, const ShownPicture& picture, Vec2i pixel, cons
 }
 
 void draw_notice(ImDrawList& list, const Area& area, const std::string& text, Face face) {
-  ImFont* font = theme().font(face);
-  const float size = font->FontSize, margin = px(12);
-  const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, area.width() * 0.9f, text.c_str());
+  const FontScope font(face);
+  const std::string lines = in_lines(text, area.width() * 0.9f);
+  const float margin = px(12);
+  const ImVec2 extent{text_width(lines), text_height(lines)};
   const ImVec2 corner{std::round(area.middle().x - extent.x / 2), std::round(area.middle().y - extent.y / 2)};
   list.AddRectFilled({corner.x - margin, corner.y - margin},
                      {corner.x + extent.x + margin, corner.y + extent.y + margin}, colour_u32(palette().panel), px(4));
-  list.AddText(font, size, corner, colour_u32(palette().text), text.c_str(), nullptr, area.width() * 0.9f);
+  list.AddText(corner, colour_u32(palette().text), lines.c_str());
 }
 
 }  // namespace ps::gui
