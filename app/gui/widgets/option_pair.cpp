@@ -108,7 +108,6 @@ std::array<OptionRowResult, 2> option_pair(const Option& option, std::array<Sett
   const float label_height = columns.beside_label ? form.height : height;
   const float cells_top = columns.beside_label ? start.y : start.y + label_height;
   const float end = cells_top + form.height * (form.stacked ? 2 : 1);
-  if (context.highlight) attention_ring({start.x - px(6), start.y - px(2)}, {start.x + room + px(2), end + px(4)});
   if (differ)
     ImGui::GetWindowDrawList()->AddRectFilled({start.x - px(5), start.y + px(3)}, {start.x - px(2), end - px(1)},
                                               colour_u32(p.text));
@@ -185,6 +184,9 @@ std::array<OptionRowResult, 2> option_pair(const Option& option, std::array<Sett
     for (std::size_t i = 0; i < 2; ++i)
       if (rests[i]) take(need_lines(option, waking[i], std::array{both_sides[i]}, i == 0 ? "A " : "B ", room));
   ImGui::Dummy({room, px(2)});
+  // Round all that the row has, also what it needs.
+  const ImVec2 below{start.x + room, ImGui::GetCursorScreenPos().y - ImGui::GetStyle().ItemSpacing.y};
+  if (context.highlight) attention_ring({start.x - px(6), start.y - px(2)}, {below.x + px(2), below.y});
   ImGui::PopID();
   return results;
 }
