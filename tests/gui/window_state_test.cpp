@@ -256,7 +256,7 @@ TEST(WindowState, WhatWasOpenIsThereAfterALogout) {
     const int status = window_ended_by(number, folder, "wait idle\nset exposure=2\nwait idle\n", "open-", "exposure=2");
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 128 + number) << status;
     EXPECT_TRUE(appears(folder, "open-", "exposure=2")) << "as after a crash";
-    const auto next = start(folder, "expect a/option/exposure 2\nexpect message contains \"did not end properly\"\n");
+    const auto next = start(folder, "expect a/option/exposure 2\nexpect message contains \"ended from outside\"\n");
     EXPECT_EQ(next.status, 0) << next.errors;
     for (const auto& entry : std::filesystem::directory_iterator(folder / "pixelscope"))
       EXPECT_FALSE(entry.path().filename().string().starts_with("open-")) << entry.path();

@@ -419,8 +419,7 @@ bool App::may_close() {
 
 void App::ended_from_outside() {
   parts_->keep_what_is_open();
-  parts_->autosave.outlived_start();  // it did not end by itself
-  parts_->autosave.keep();
+  parts_->autosave.end_from_outside();
 }
 
 void App::warn(const std::string& sentence) { parts_->session.say(Message::Kind::warning, sentence); }

@@ -73,13 +73,14 @@ std::optional<Document> restored_document(Autosave& autosave, Session& session, 
     }
     if (problem.empty()) {
       autosave.restore(left);
-      words.push_back(
-          {Message::Kind::information, "Pixelscope did not end properly the last time. This was open then."});
+      words.push_back({Message::Kind::information,
+                       left.ended_from_outside
+                           ? "This was open when Pixelscope was ended from outside, as by a log-out or a shutdown."
+                           : "Pixelscope did not end properly the last time. This was open then."});
     } else {
-      words.push_back(
-          {Message::Kind::warning,
-           fmt::format("What was open when Pixelscope did not end properly cannot be shown: {}. It is kept as {}.",
-                       problem, left.file.string())});
+      words.push_back({Message::Kind::warning,
+                       fmt::format("What was open when Pixelscope ended cannot be shown: {}. It is kept as {}.",
+                                   problem, left.file.string())});
     }
   }
   if (!others.empty())

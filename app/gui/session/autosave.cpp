@@ -21,7 +21,7 @@ constexpr std::string_view prefix = "open-";
 constexpr const char* saved_ending = ".permalink";
 constexpr const char* lock_ending = ".lock";
 constexpr std::uintmax_t largest = 1 << 20;
-constexpr std::string_view restored_mark = "restored\n";
+constexpr std::string_view restored_mark = "restored\n", outside_mark = "ended from outside\n";  // in lock files
 
 bool is_digits(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
@@ -66,13 +66,13 @@ bool may_run(const std::string& owner) {
 struct Ended {
   std::optional<FileLock> lock;
   std::filesystem::path lock_file;
-  bool marked = false;  ///< as a restored session
+  std::string mark;  ///< what the lock file says
 };
-bool is_marked(const std::filesystem::path& lock_file) {
+std::string mark_in(const std::filesystem::path& lock_file) {
   try {
-    return read_whole_file(lock_file, largest) == restored_mark;
+    return read_whole_file(lock_file, largest);
   } catch (const InputError&) {
-    return false;
+    return {};
   }
 }
 std::optional<Ended> ended(const SavedFile& saved) {
@@ -87,7 +87,7 @@ std::optional<Ended> ended(const SavedFile& saved) {
   try {
     auto lock = FileLock::try_lock(lock_file);
     if (!lock || (!lock->guards() && may_run(saved.owner))) return {};
-    return Ended{std::move(lock), lock_file, is_marked(lock_file)};
+    return Ended{std::move(lock), lock_file, mark_in(lock_file)};
   } catch (const InputError&) {
     return {};
   }
@@ -145,7 +145,8 @@ std::vector<LeftBehind> Autosave::take_left_behind() {
     LeftBehind session;
     session.saved = std::filesystem::last_write_time(file.path, error);
     session.file = moved_aside(file.path);
-    session.ended_at_once = owner->marked;
+    session.ended_at_once = owner->mark == restored_mark;
+    session.ended_from_outside = owner->mark == outside_mark;
     if (!owner->lock_file.empty()) std::filesystem::remove(owner->lock_file, error);
     try {
       session.text = read_whole_file(session.file, largest);
@@ -175,6 +176,11 @@ bool Autosave::find_own_name() {
 void Autosave::outlived_start() {
   if (!std::exchange(marked_, false) || name_.empty()) return;
   std::ofstream(with_ending(lock_ending)).flush();  // empties it; the lock stays
+}
+
+void Autosave::end_from_outside() {
+  keep();
+  if (!name_.empty()) std::ofstream(with_ending(lock_ending)) << outside_mark;
 }
 
 void Autosave::save(const std::string& text) {

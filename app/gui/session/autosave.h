@@ -8,7 +8,7 @@
 
 namespace ps::gui {
 
-/// What a program that did not end properly had open.
+/// What a program that did not end properly, or was ended from outside, had open.
 struct LeftBehind {
   std::filesystem::path file;  ///< where it is kept from now on
   std::filesystem::file_time_type saved;
@@ -16,6 +16,7 @@ struct LeftBehind {
   std::string problem;  ///< "" if it was read
   /// It was restored, and that program ended before Autosave::outlived_start(): shown again, it would do so again.
   bool ended_at_once = false;
+  bool ended_from_outside = false;  ///< by a log-out or a shutdown, without a fault
 };
 
 /// A file that holds what is open as long as the program runs: `open-HOST-PROCESS.permalink`, beside a lock file of the
@@ -44,8 +45,10 @@ class Autosave {
   void save(const std::string& text);
   /// Why the last save() failed; "" if it did not.
   const std::string& problem() const { return problem_; }
-  /// Leaves the file when this object goes: the program is ended from outside.
+  /// Leaves the file when this object goes.
   void keep() { keep_ = true; }
+  /// The same for a program that is ended from outside, with a mark that says so.
+  void end_from_outside();
 
  private:
   bool find_own_name();
