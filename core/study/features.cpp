@@ -97,7 +97,7 @@ std::optional<IdleReason> unused_reason(const Feature& feature, const Settings& 
   if (option.key == "shadows" && settings.shadows == Shadows::traced &&
       picture_way(settings.renderer) == PictureWay::fragments)
     return needs("shadows", Shadows::map, Shadows::stencil_depth_fail).because("fragments have no shadow rays");
-  if (without(feature, settings) == settings) return "it is off already";
+  if (without(feature, settings) == settings) return "off already";
   return {};
 }
 

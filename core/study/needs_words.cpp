@@ -64,6 +64,18 @@ std::string needs_sentence(std::string_view scene_name, const Needs& needs) {
   return text;
 }
 
+namespace {
+
+/// A reason about "it", said of these nouns: "only the ray tracer uses them".
+std::string reason_for(const Words& nouns, std::string reason) {
+  constexpr std::string_view one = " it", several = " them";
+  const bool is_one = nouns.size() == 1 && !nouns.front().ends_with('s');
+  if (!is_one && reason.ends_with(one)) reason.replace(reason.size() - one.size(), one.size(), several);
+  return reason;
+}
+
+}  // namespace
+
 std::string unused_sentence(std::span<const FeatureShare> shares) {
   std::vector<std::pair<std::string, Words>> reasons;  // in the order of their first feature
   for (const FeatureShare& share : shares) {
@@ -74,7 +86,8 @@ std::string unused_sentence(std::span<const FeatureShare> shares) {
     same->second.emplace_back(share.feature.noun);
   }
   Words parts;
-  for (const auto& [reason, nouns] : reasons) parts.push_back(fmt::format("{} ({})", listed(nouns), reason));
+  for (const auto& [reason, nouns] : reasons)
+    parts.push_back(fmt::format("{} ({})", listed(nouns), reason_for(nouns, reason)));
   return parts.empty() ? "" : fmt::format("Not in use: {}.", fmt::join(parts, "; "));
 }
 

@@ -57,6 +57,12 @@ TEST(NeedsWords, WhatIsNotInUseIsOneSentence) {
   const std::string sentence = unused_sentence(std::span(needs.shares).first(4));
   EXPECT_EQ(sentence,
             "Not in use: shadows (needs lighting = on); highlights and reflected rays (the scene has no texture).");
+  for (FeatureShare& share : needs.shares) share.reason = "only the ray tracer uses it";
+  needs.shares[4].reason = "no object is transparent";
+  needs.shares[5].reason = "only the rasterizer uses it";
+  EXPECT_EQ(unused_sentence(std::span(needs.shares).first(6)),
+            "Not in use: shadows, highlights and reflected rays (only the ray tracer uses them); refraction (no object "
+            "is transparent); attenuation (only the rasterizer uses it).");
 }
 
 TEST(NeedsWords, AToleranceHasAWord) {
