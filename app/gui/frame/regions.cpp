@@ -32,9 +32,9 @@ float folded_height() { return ImGui::GetFrameHeight() + px(4); }
 // Below it the list of options would have no line of its own.
 constexpr double least_options_height = 280;
 
-// Between a lesson's text and the pictures, besides the margins that both have. A text of the least width needs these
-// for its lines.
-constexpr double text_margin = 12, text_overlap = 8, least_column = 340;
+// Between a lesson's text and the pictures, besides the margins that both have: 12 at their sides, together. A narrow
+// column has 16 in all, others 24.
+constexpr double text_margin = 12, least_margin = 4, narrow_column = 356;
 
 // With less width a tool's controls have a line of their own below the list of tools.
 constexpr double least_line = 560;
@@ -169,7 +169,7 @@ void Regions::lesson_text(const Area& area) {
 /// The text of the open lesson, whose title may be shown elsewhere.
 void Regions::titled_text(const Area& area, const std::string& title) {
   const float width = std::min(area.width(), reading_width());
-  const float margin = std::clamp(width - px(least_column + text_overlap), -px(text_overlap), px(text_margin));
+  const float margin = px(width < px(narrow_column) ? least_margin : text_margin);
   const Area text{area.min, {area.min.x + width - margin, area.max.y}};
   ask_in_text();
   begin_region(session_, region_names::lesson, text, title);
