@@ -50,6 +50,8 @@ TEST_F(ObjExporters, OptionsBehindTheNameAndNamesInQuotes) {
   }
   const Scene missing = with_material("newmtl a\nmap_Kd two words.ppm -bm\n");
   EXPECT_EQ(test::notes_of(missing), "a.mtl:2: the texture 'two words.ppm -bm' is missing.\n") << "no whole option";
+  const Scene shared = with_material("newmtl a\nmap_Kd gone.ppm\nmap_d gone.ppm\nnewmtl b\nmap_Kd gone.ppm\n");
+  EXPECT_EQ(shared.warnings.size(), 1U) << "once, however many name it: " << test::notes_of(shared);
 }
 
 TEST_F(ObjExporters, PicturesBesideTheModelAndInAnyCase) {
