@@ -201,7 +201,7 @@ std::vector<Option> renderer_rows() {
            .help = {"Reproduces known bugs of the book's demo programs instead of fixing them.",
                     "the programs that accompany CGFS",
                     "Highlights are right only for a camera at the origin. Of four filtered texels the fourth comes "
-                    "from the wrong place, and beyond the texture's edge others are read."},
+                    "from the wrong place, which a checkerboard hides. Beyond the texture's edge others are read."},
            .keywords = "bug, mistake, errata",
            .truth = exactly("demo-slips=off"),
            .acts_for = ActsFor::readers,

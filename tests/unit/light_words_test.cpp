@@ -48,6 +48,10 @@ TEST(LightWords, ReasonsAreTrue) {
   LightEvent away = lamp(0, 0);
   away.below_horizon = true;
   EXPECT_EQ(brief(away), "surface faces away");
+  LightEvent ambient = away;
+  ambient.ambient = 0.4;
+  EXPECT_EQ(light_effect_text(test::book_spheres(), ambient, LightWords::whole), "surface faces away, ambient 0.4")
+      << "not that it adds nothing";
   away.specular = 0.25;  // the book's highlight does not ask which way the surface faces
   EXPECT_EQ(brief(away), "surface faces away, no diffuse, specular 0.25");
   EXPECT_EQ(brief(lamp(0, 0)), "adds no light") << "it faces the lamp and sees it";

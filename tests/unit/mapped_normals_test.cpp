@@ -69,9 +69,8 @@ TEST(MappedNormals, StretchedWallAgainstTheClosedForm) {
     }
 }
 
-// The same wall in a light from the right and from below: by Lambert's law
-// 0.8 * 0.5863 - 0.6 * 0.3084 = 0.284 of the light arrives where axes stay upright, and 0.494 where the relief is
-// stretched.
+// The same wall in a light from the right and from below: by Lambert's law 0.8 * 0.5863 - 0.6 * 0.3084 = 0.284 of the
+// light arrives where axes stay upright, and 0.494 where the relief is stretched.
 TEST(MappedNormals, StretchedWallInTheLight) {
   Transform transform;
   transform.translation = {0, 0, 5};

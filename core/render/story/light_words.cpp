@@ -30,7 +30,9 @@ std::string light_effect_text(const Scene& scene, const LightEvent& light, Light
   if (light.ambient != 0) {
     LightEvent other = light;
     other.ambient = 0;
-    return fmt::format("{}, ambient {}", light_effect_text(scene, other, words), number_text(light.ambient));
+    // It does add something, so the brief reason is the true one.
+    const LightWords of_others = light.below_horizon ? LightWords::brief : words;
+    return fmt::format("{}, ambient {}", light_effect_text(scene, other, of_others), number_text(light.ambient));
   }
   const bool whole = words == LightWords::whole;
   if (light.kind == LightKind::ambient)

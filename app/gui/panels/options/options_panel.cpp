@@ -222,6 +222,12 @@ void OptionsPanel::add_actions(Actions& actions) {
     host_.send(ShowOptions{});
     key_focus().go_to("options/object/gizmo");
   });
+  edit.add("lights", "Lights: brightness, colours and size", "", [this] {
+    state_.lights_open = true;
+    host_.send(ShowOptions{});
+    key_focus().go_to(
+        fmt::format("options/light/{}/intensity", selected_light(session_.scene(), state_.selected_light)));
+  });
   edit.add("object-add-sphere", "Add a sphere", "", [this] { add_object(session_, selection_.object, "sphere"); });
   edit.add("object-add-box", "Add a box", "", [this] { add_object(session_, selection_.object, "box"); });
   ActionGroup picked(actions, "Edit", [this] { return selection_.object.index(session_).has_value(); });
