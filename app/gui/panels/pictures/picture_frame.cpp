@@ -14,7 +14,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr double title_distance = 8;  ///< from a title to its picture, at scale 1
+constexpr double title_distance = 8, brief_distance = 3;  ///< from a title to its picture, at scale 1
 constexpr double narrow_below = 380;  ///< pictures below this width, at scale 1, get two lines above and below
 
 const std::vector<Choice>& channel_choices() {
@@ -90,7 +90,7 @@ PictureTitle shown_title(Session& session, Side side) {
 }
 
 PictureMargins picture_margins(float width, PictureCaptions captions) {
-  if (captions == PictureCaptions::brief) return {px(22), px(20)};
+  if (captions == PictureCaptions::brief) return {px(21), px(20)};
   if (captions == PictureCaptions::projected) return {px(38), px(32)};
   const float notes = px(note_height);
   return width < px(narrow_below) ? PictureMargins{px(66), px(46) + notes} : PictureMargins{px(34), px(26) + notes};
@@ -141,7 +141,8 @@ void picture_title(Session& session, Side side, const Area& row, PictureCaptions
   const auto [size, space, two_lines, wanted_choice] = measures;
   const bool has_choice = wanted_choice > 0;
   const float choice_width = std::min(wanted_choice, row.width() * (two_lines ? 0.7f : 0.45f));
-  const float frame = ImGui::GetFrameHeight(), above = px(captions == PictureCaptions::brief ? 4 : title_distance);
+  const float frame = ImGui::GetFrameHeight(),
+              above = px(captions == PictureCaptions::brief ? brief_distance : title_distance);
   const float top = row.max.y - above - size - (two_lines ? frame + px(4) : 0);
   side_badge(*ImGui::GetWindowDrawList(), {row.min.x, top}, size, side);
 
