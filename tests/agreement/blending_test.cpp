@@ -200,6 +200,32 @@ TEST(Blending, StorySaysSourceDestinationAndResult) {
   }
 }
 
+// A sheet and an opaque triangle meet along an edge. In the pixels of that edge the sheet is blended with the
+// background alone, although the pixel's first sample may be one that the triangle has.
+TEST(Blending, StoryHasADestinationThatIsBlended) {
+  const std::string left = "triangle { vertices = [(-9, 0, 5), (0.4, 30, 5), (-0.2, -30, 5)]  color = ",
+                    right = "triangle { vertices = [(-0.2, -30, 5), (0.4, 30, 5), (9, 0, 5)]  color = ",
+                    sheet = "blue  transparency = 0.5 }\n", opaque = "red }\n";
+  for (const std::string& objects : {left + opaque + right + sheet, left + sheet + right + opaque}) {
+    const Scene scene = parse_scene("background = white\n" + objects +
+                                        "settings { renderer = rasterizer  lighting = off  blending = sorted }\n",
+                                    "edge.scene", ".");
+    Settings settings = settings_for(scene);
+    settings.multisampling = 8;
+    int of_both = 0;
+    for (int row = 0; row < 20; ++row) {
+      std::vector<WriteEvent> writes;
+      for (const Event& event : inspect(scene, {scene.camera, 20, 20}, settings, {10, row}).events)
+        if (const auto* write = std::get_if<WriteEvent>(&event.data)) writes.push_back(*write);
+      if (writes.size() != 2) continue;
+      ++of_both;
+      expect_near(writes[1].before, white, 0);
+      expect_near(writes[1].after, half_over(blue, white), 0);
+    }
+    EXPECT_GT(of_both, 10);
+  }
+}
+
 // At the left edge of the near sheet half of the samples show it.
 TEST(Blending, LedgerOfSamplesAddsUp) {
   const Sheets sheets;
