@@ -66,7 +66,8 @@ class Searcher {
   void run() {
     const auto enter = [&](std::uint32_t first, std::uint32_t)
                            HWY_ATTR { return first != wide_empty_block && search_instance(all_.instances[first - 1]); };
-    walk_nodes<find == Find::any>(all_.top.data(), all_.instances.data(), BoxRay(query_, all_.seen.centre), best_, count_.nodes, enter);
+    walk_nodes<find == Find::any>(all_.top.data(), all_.instances.data(), BoxRay(query_, all_.seen.centre), best_,
+                                  count_.nodes, enter);
   }
 
  private:
@@ -83,7 +84,8 @@ class Searcher {
       improved |= found;
       return found;
     };
-    walk_nodes<find == Find::any>(model.nodes.data(), model.blocks.data(), BoxRay(*slabs), best_, count_.nodes, test_blocks);
+    walk_nodes<find == Find::any>(model.nodes.data(), model.blocks.data(), BoxRay(*slabs), best_, count_.nodes,
+                                  test_blocks);
     return improved;
   }
 

@@ -130,7 +130,7 @@ enum class Visits { by_slot, near_to_far };
 
 /// Enters those children of a node that the ray meets before `limit`: one becomes `next`, the others wait on top of the
 /// stack, the sooner the higher. False if there is none. From near to far, in the order for the ray's octant, or by
-/// slot; then Waiting::near means nothing.
+/// slot; then Waiting::near is not to be read.
 template <Visits visits>
 HWY_INLINE bool enter_node(const WideNode& node, const BoxRay& ray, Boxes8 limit, Waiting& waiting, std::size_t& top,
                            WideChild& next) {
