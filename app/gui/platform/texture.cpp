@@ -81,8 +81,9 @@ void add_plain_texture(ImDrawList& list, const Texture& texture, ImVec2 min, ImV
   Graphics& graphics = *Graphics::current();
   const float enlarged = (max.x - min.x) / static_cast<float>(std::max(texture.width(), 1));
   const bool unequal = enlarged > 1 && enlarged < unequal_below && enlarged != std::round(enlarged);
-  if (unequal && graphics.add_even(list, texture.id(), min, max)) return texture.set_smooth(true);
-  graphics.add_plain(list, texture.id(), min, max);
+  const bool even = unequal && graphics.add_even(list, texture.id(), min, max);
+  texture.set_smooth(even || enlarged < 1);
+  if (!even) graphics.add_plain(list, texture.id(), min, max);
 }
 
 }  // namespace ps::gui

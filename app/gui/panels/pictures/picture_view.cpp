@@ -102,7 +102,6 @@ void draw_picture(ImDrawList& list, const ShownPicture& picture, const PictureTr
   if (picture.texture.empty()) return;
   list.PushClipRect(area.min, area.max, true);
   const Area whole = transform.picture_area(picture.size(), area);
-  picture.texture.set_shrunk(transform.zoom < 1);
   add_plain_texture(list, picture.texture, whole.min, whole.max);
   if (style.grid && transform.zoom >= px(grid_from)) {
     const TileRect pixels = visible_pixels(picture, transform, area);
@@ -128,7 +127,6 @@ void draw_loupe(ImDrawList& list, const ShownPicture& picture, Vec2i pixel, cons
     PictureTransform transform;
     transform.zoom = area.width() / loupe_pixels;
     transform.centre = {pixel.x + 0.5, pixel.y + 0.5};
-    picture.texture.set_shrunk(false);
     const Area whole = transform.picture_area(picture.size(), area);
     add_plain_texture(list, picture.texture, whole.min, whole.max);
     draw_mark(list, transform.to_window({pixel.x, pixel.y}, area),
