@@ -46,6 +46,12 @@ bool is_without(const Option& option, const Settings& settings) {
   return key == "none" || key == "off";
 }
 
+std::string value_label(const Option& option, std::string_view value) {
+  for (const Choice& choice : option.choices)
+    if (choice.key == value) return std::string(choice.label);
+  return std::string(value);
+}
+
 std::string setting_words(const Option& option, const Settings& settings) {
   const std::string label = within_sentence(option.label);
   const bool without = is_without(option, settings);

@@ -12,6 +12,8 @@ bool is_without(const Option& option, const Settings& settings);
 
 /// One setting as people read it: "shading: flat", "without shadows", "in world coordinates", "reflection depth 3".
 std::string setting_words(const Option& option, const Settings& settings);
+/// The label of a choice's value, as panels show it; any other value as it is.
+std::string value_label(const Option& option, std::string_view value);
 /// That of the assignment "shading=flat". Text that is not such an assignment comes back as it is.
 std::string setting_words(std::string_view assignment);
 /// Every assignment of a list in setting_words(); the parts are separated by `separator`, as in "double,

@@ -23,12 +23,10 @@ std::vector<std::string> inputs_of(const Session& session) { return files_of(ses
 /// Runs `write` and shows what was saved, or why it was not.
 template <class Write>
 void saving(Session& session, const std::filesystem::path& path, Write&& write) {
-  try {
+  session.say_saved([&] {
     write();
-    session.say(Message::Kind::information, fmt::format("Saved {}.", path.string()));
-  } catch (const InputError& error) {
-    session.say(Message::Kind::error, error.what());
-  }
+    return fmt::format("Saved {}.", path.string());
+  });
 }
 
 }  // namespace
@@ -45,18 +43,15 @@ void save_pictures(Session& session, const PicturesState& pictures, const std::f
     result.replace_filename(path.stem().string() + suffix + extension);
     return result;
   };
-  try {
+  session.say_saved([&] {
     for (const char* suffix : {"-a", "-b", "-difference"}) require_no_input(named(suffix), inputs_of(session));
     for (const Side side : both_sides)
       save_image(named(side == Side::a ? "-a" : "-b"), pictures.pictures[index_of(side)].levels, texts_of(side));
     const bool difference = session.document().compare == CompareMode::difference;
     if (difference) save_image(named("-difference"), pictures.difference.picture.levels, texts_of(Side::a));
-    session.say(Message::Kind::information,
-                fmt::format("Saved {} and {}{}.", named("-a").string(), named("-b").filename().string(),
-                            difference ? " and the difference" : ""));
-  } catch (const InputError& error) {
-    session.say(Message::Kind::error, error.what());
-  }
+    return fmt::format("Saved {} and {}{}.", named("-a").string(), named("-b").filename().string(),
+                       difference ? " and the difference" : "");
+  });
 }
 
 void save_picture(Session& session, const Image<Rgb8>& picture, const std::filesystem::path& path) {

@@ -41,7 +41,7 @@ SlidePart slide_part(Session& session, const PicturesState& pictures, Side side)
   SlidePart part;
   part.title = fmt::format("{}: {}", letter_of(side), shown_title(session, side).text());
   part.picture = &pictures.pictures[index_of(side)].levels;
-  if (const auto result = session.renderer(side).result(); result && !(side == Side::b && session.picture_b()))
+  if (const auto result = session.renderer(side).result(); result && !session.file_of(side))
     for (const CaptionWork& work : caption_work(*result))
       part.caption += (part.caption.empty() ? "" : ", ") + work_text(work);
   return part;
@@ -58,15 +58,12 @@ void save_for_slides(Session& session, const PicturesState& pictures, const Shot
   if (std::any_of(parts.begin(), parts.end(), [](const SlidePart& part) { return part.picture->empty(); }))
     return session.say(Message::Kind::warning, "The pictures are not drawn yet.");
   const std::filesystem::path file = free_file(session, host, "-slide", "-slide");
-  try {
+  session.say_saved([&] {
     save_image(file, slide_picture(parts), {image_texts(document_provenance(session.document(), Side::a, {}, file))});
-  } catch (const InputError& error) {
-    return session.say(Message::Kind::error, error.what());
-  }
-  host.copy(file.string());
-  const char* on_clipboard = copy_picture(file) ? "the picture" : "this path";
-  session.say(Message::Kind::information,
-              fmt::format("Saved {}; on the clipboard is {}.", file.string(), on_clipboard));
+    host.copy(file.string());
+    const char* on_clipboard = copy_picture(file) ? "the picture" : "this path";
+    return fmt::format("Saved {}; on the clipboard is {}.", file.string(), on_clipboard);
+  });
 }
 
 }  // namespace

@@ -125,7 +125,7 @@ std::string hover_text(Session& session, const PicturesState& pictures) {
   const Rgb8 level = levels.at(pixel.x, pixel.y);
   const std::string place = pixel_words(session, pixel);
   std::string text = fmt::format("{}   {}   {} {} {}", letter_of(side), place, level.r, level.g, level.b);
-  if (side == Side::b && session.picture_b()) return text;
+  if (session.file_of(side)) return text;
   if (session.document().compare == CompareMode::difference) {
     const auto& others = pictures.pictures[1].levels;
     if (!others.contains(pixel.x, pixel.y)) return text;

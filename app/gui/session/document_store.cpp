@@ -84,6 +84,18 @@ void DocumentStore::edit(const std::string& what, const std::string& drag,
   document_changed();
 }
 
+void DocumentStore::say_saved(const std::function<std::string()>& save) {
+  try {
+    say(Message::Kind::information, save());
+  } catch (const InputError& error) {
+    say(Message::Kind::error, error.what());
+  }
+}
+
+void DocumentStore::edit_property(const std::string& label, const SceneEdit& change) {
+  edit(label, change.path, [&](Document& document) { edit_scene(document, change); });
+}
+
 void DocumentStore::end_drag() {
   if (history_) history_->end_drag();
 }

@@ -42,6 +42,11 @@ class DocumentStore {
   void edit(const std::string& what, const std::string& drag, const std::function<void(Document&)>& apply);
   void edit(const std::string& what, const std::function<void(Document&)>& apply) { edit(what, {}, apply); }
   void end_drag();
+  /// Runs `save`, which answers what it has saved, and shows that, or why it could not: an InputError becomes a
+  /// message.
+  void say_saved(const std::function<std::string()>& save);
+  /// Changes one property of the scene. Changes of the same one in a row are one step until end_drag().
+  void edit_property(const std::string& label, const SceneEdit& change);
   /// Takes back what the steps with this `drag` have changed, which leaves no step to undo or redo. Answers whether
   /// there was something.
   bool cancel_drag(const std::string& drag);

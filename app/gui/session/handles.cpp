@@ -84,8 +84,7 @@ std::string brief_place(const Vec3d& place) {
 
 void drag_handle(Session& session, Side side, const Handle& handle, const Vec2d& place) {
   const Vec3d position = position_at(session.view(), session.settings(side), handle.position, place) + handle.offset;
-  const SceneEdit change{handle.path, brief_place(position)};
-  session.edit("move " + handle.name, handle.path, [&](Document& document) { edit_scene(document, change); });
+  session.edit_property("move " + handle.name, {handle.path, brief_place(position)});
 }
 
 }  // namespace ps::gui

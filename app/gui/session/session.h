@@ -65,6 +65,8 @@ class Session final : public DocumentStore {
   void close_picture_b();
   /// The file in B's place; nullptr while B is rendered.
   std::shared_ptr<const PictureFile> picture_b() const { return picture_b_; }
+  /// The file in a side's place; nullptr while the side is rendered.
+  std::shared_ptr<const PictureFile> file_of(Side side) const { return side == Side::b ? picture_b_ : nullptr; }
 
  private:
   void settle(const Document& before, Document& document) override { events_.settle(before, document); }

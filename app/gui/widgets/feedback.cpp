@@ -86,11 +86,15 @@ float tooltip_width() { return std::min(ImGui::GetFontSize() * 38, ImGui::GetIO(
 bool begin_tooltip() {
   if (!rested_on_last_item()) return false;
   place_beside_last_item();
+  begin_tooltip_at_pointer();
+  return true;
+}
+
+void begin_tooltip_at_pointer() {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8), px(8)});
   ImGui::BeginTooltip();
   ImGui::PushFont(theme().font(Face::body));
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + tooltip_width());  // it counts from the window's edge
-  return true;
 }
 
 void end_tooltip() {

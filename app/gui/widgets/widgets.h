@@ -166,7 +166,8 @@ bool tooltip_visible();
 /// Its right edge in window pixels; 0 while there is none.
 double tooltip_end();
 /// A tooltip that draws itself.
-bool begin_tooltip();  ///< for the last item; if true, call end_tooltip()
+bool begin_tooltip();             ///< for the last item; if true, call end_tooltip()
+void begin_tooltip_at_pointer();  ///< at once, for a part of a drawing; call end_tooltip()
 void end_tooltip();
 /// Fraction in [0, 1] with a label, or negative if unknown; returns whether Cancel was clicked (name/cancel).
 bool progress_bar(std::string_view name, std::string_view label, double fraction, float width = 0);

@@ -21,10 +21,9 @@ void move_light(Session& session, int wanted, double right, double up, double fo
   const double reach = scene_reach(session.scene(), camera);
   const Light light = moved_light(lights[index], camera, right * reach, up * reach, forward * reach, reach);
   const bool is_point = light.kind == LightKind::point;
-  const SceneEdit change{fmt::format("light.{}.{}", index, is_point ? "position" : "direction"),
-                         scene_vec(is_point ? light.position : light.direction)};
-  session.edit(fmt::format("move light {}", index), change.path,
-               [&](Document& document) { edit_scene(document, change); });
+  session.edit_property(fmt::format("move light {}", index),
+                        {fmt::format("light.{}.{}", index, is_point ? "position" : "direction"),
+                         scene_vec(is_point ? light.position : light.direction)});
 }
 
 }  // namespace

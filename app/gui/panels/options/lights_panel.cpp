@@ -18,10 +18,8 @@ namespace {
 void set_light(Session& session, std::size_t index, std::string_view property, std::string_view words,
                const std::string& value, const Edit& edit) {
   if (edit.changed)
-    session.edit(fmt::format("{} of light {}", words, index), fmt::format("light/{}/{}", index, property),
-                 [&](Document& document) {
-                   edit_scene(document, {fmt::format("light.{}.{}", index, property), value});
-                 });
+    session.edit_property(fmt::format("{} of light {}", words, index),
+                          {fmt::format("light.{}.{}", index, property), value});
   if (edit.finished) session.end_drag();
 }
 

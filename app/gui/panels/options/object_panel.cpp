@@ -35,11 +35,9 @@ class ObjectEdits {
 
   /// Sets one property after a field was edited.
   void set(const char* property, const std::string& words, const std::string& value, const Edit& edit) {
-    const std::string path = fmt::format("object.{}.{}", object_, property);
     if (edit.changed)
-      session_.edit(fmt::format("{} of {}", words, name_), path, [&](Document& document) {
-        edit_scene(document, {path, value});
-      });
+      session_.edit_property(fmt::format("{} of {}", words, name_),
+                             {fmt::format("object.{}.{}", object_, property), value});
     if (edit.finished) session_.end_drag();
   }
 

@@ -109,7 +109,7 @@ void difference_tools(Session& session, PicturesState& state, const Area& row) {
 
 /// The values behind the picture of a side; nullptr where it does not show them, or not all of them.
 std::shared_ptr<const Image<Vec3f>> values_of(Session& session, Side side) {
-  if (const auto file = session.picture_b(); side == Side::b && file) return {file, &file->stored.colour};
+  if (const auto file = session.file_of(side)) return {file, &file->stored.colour};
   const auto result = session.renderer(side).result();
   if (!result || result->slow || session.shown(side) != ShownChannel::colour) return nullptr;
   return {result, &result->frame.colour};

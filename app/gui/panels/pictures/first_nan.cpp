@@ -17,7 +17,7 @@ void go_to_first_nan(Session& session) {
     return session.say(Message::Kind::information, "A picture is still being made: its pixels are not known yet.");
   const Side picked = session.document().picked;
   for (const Side side : {picked, other_side(picked)}) {
-    if (side == Side::b && session.picture_b()) continue;  // levels of a file are finite
+    if (session.file_of(side)) continue;  // levels of a file are finite
     const auto result = session.renderer(side).result();
     const auto found = result ? first_not_finite(result->frame.colour) : std::nullopt;
     if (!found) continue;

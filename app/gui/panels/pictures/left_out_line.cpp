@@ -73,7 +73,7 @@ LeftOutTexts left_out_texts(const std::vector<LeftOut>& all) {
 }
 
 Area left_out_line(Session& session, Side side, const Area& row) {
-  if (side == Side::b && session.picture_b()) return row;
+  if (session.file_of(side)) return row;
   const std::vector<LeftOut> all = left_out(session.traits(), session.settings(side));
   if (all.empty()) return row;
   const NameScope scope(side == Side::a ? "view/a" : "view/b");

@@ -45,7 +45,7 @@ FooterItem time_item(Session& session, const RenderResult& result) {
 
 std::vector<FooterItem> footer_items(Session& session, Side side, CaptionChange& change, PictureCaptions captions,
                                      const std::string& lead, const std::string& beside) {
-  if (const auto file = session.picture_b(); side == Side::b && file)
+  if (const auto file = session.file_of(side))
     return {{{}, fmt::format("{}{} x {} pixels", lead, file->levels.width(), file->levels.height()), file->path},
             {"beside", beside, beside.empty() ? "" : beside_help, Voice::plain}};
   const auto result = session.renderer(side).result();

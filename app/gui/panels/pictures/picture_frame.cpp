@@ -76,7 +76,7 @@ void draw_title(const PictureTitle& title, ImVec2 at, float room, PictureCaption
 }  // namespace
 
 PictureTitle shown_title(Session& session, Side side) {
-  if (const auto file = side == Side::b ? session.picture_b() : nullptr) {
+  if (const auto file = session.file_of(side)) {
     const std::string name = "file " + std::filesystem::path(file->path).filename().string();
     return {name, name, {}};
   }

@@ -285,7 +285,7 @@ std::string difference_text(Session& session, PicturesState& state) {
   for (const Side side : both_sides)
     if (state.drawn.covers.hidden[index_of(side)] || session.shown(side) != ShownChannel::colour ||
         slow_state(session, side) ||
-        (!(side == Side::b && session.picture_b()) && session.renderer(side).status().state != RenderState::done))
+        (!session.file_of(side) && session.renderer(side).status().state != RenderState::done))
       return {};
   const Image<Rgb8>&a = state.pictures[0].levels, &b = state.pictures[1].levels;
   if (a.empty() || a.width() != b.width() || a.height() != b.height()) return {};
@@ -384,7 +384,7 @@ void collect_pictures(Session& session, PicturesState& state) {
   for (const Side side : both_sides) {
     auto& picture = state.pictures[index_of(side)];
     std::vector<TileRect> changed;
-    if (const auto file = session.picture_b(); side == Side::b && file) {
+    if (const auto file = session.file_of(side)) {
       if (state.sides.file == file) continue;
       picture.levels = file->levels;
       changed = {{0, 0, file->levels.width(), file->levels.height()}};

@@ -20,8 +20,6 @@ const std::optional<SlowMotion>& asked(const Session& session, Side side) {
   return side_of(session.document(), side).slow_motion;
 }
 
-bool is_picture_file(const Session& session, Side side) { return side == Side::b && session.picture_b(); }
-
 void set_asked(Session& session, Side side, const std::optional<SlowMotion>& motion) {
   if (asked(session, side) == motion) return;
   session.navigate([&](Document& document) { side_of(document, side).slow_motion = motion; });
@@ -57,7 +55,7 @@ void go_to(Session& session, std::uint64_t at) {
 void follow_settings(Session& session, Side side) {
   const auto& motion = asked(session, side);
   if (!motion) return;
-  if (is_picture_file(session, side)) return set_asked(session, side, {});
+  if (session.file_of(side)) return set_asked(session, side, {});
   if (!slow_motion_lacks(motion->unit, session.settings(side), session.traits())) return;
   const auto unit = first_slow_unit(session.settings(side), session.traits());
   set_asked(session, side, unit ? std::optional(SlowMotion{*unit, all_slow_units}) : std::nullopt);
@@ -110,8 +108,7 @@ void toggle_slow_motion(Session& session, SlowMotionState& state) {
     return;
   }
   for (const Side side : both_sides)
-    if (const auto unit = first_slow_unit(session.settings(side), session.traits());
-        unit && !is_picture_file(session, side))
+    if (const auto unit = first_slow_unit(session.settings(side), session.traits()); unit && !session.file_of(side))
       set_asked(session, side, SlowMotion{*unit, all_slow_units});
   if (!slow_motion_open(session))
     session.say(Message::Kind::information,

@@ -307,7 +307,7 @@ void PixelPanel::story() {
     break;
   case Shown::one: {
     const Side side = session.document().picked;
-    if (side == Side::b && session.picture_b()) {
+    if (session.file_of(side)) {
       file_pixel(session, *picked, stories[0]);
       ImGui::Separator();
       if (stories[0]) full_story(session, state, Side::a, *stories[0], copy);

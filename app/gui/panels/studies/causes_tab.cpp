@@ -7,20 +7,13 @@
 #include "gui/panels/studies/why_tab.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
+#include "options/difference_words.h"
 #include "options/option.h"
 
 namespace ps::gui {
 namespace {
 
 constexpr float most_of_row = 0.6f;  // for an option and its values
-
-/// "rasterizer", as panels show the value.
-std::string value_label(const Option* option, const std::string& value) {
-  if (!option) return value;
-  for (const Choice& choice : option->choices)
-    if (choice.key == value) return std::string(choice.label);
-  return value;
-}
 
 struct CauseWords {
   std::string label, from, to;
@@ -29,8 +22,8 @@ struct CauseWords {
 
 CauseWords words_of(const CauseShare& cause) {
   const Option* option = find_option(cause.option);
-  return {option ? std::string(option->label) : cause.option, value_label(option, cause.from),
-          value_label(option, cause.to)};
+  if (!option) return {cause.option, cause.from, cause.to};
+  return {std::string(option->label), value_label(*option, cause.from), value_label(*option, cause.to)};
 }
 
 /// An option, its values in A and B, and a bar of its share; shares below 0 reach to the left. `names`: the width of

@@ -94,18 +94,14 @@ void pictures(const ChartPreview& preview) {
 void chart_hover(const ChartTab& tab, const ChartPoint& point, ChartPreview& preview, const char* hint) {
   const auto found = tab.found->pictures.find(point.number);
   prepare(preview, found == tab.found->pictures.end() ? nullptr : found->second, tab.found->reference);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8), px(8)});
-  ImGui::BeginTooltip();
-  ImGui::PushFont(theme().font(Face::body));
+  begin_tooltip_at_pointer();
   ImGui::PushTextWrapPos(px(2 * picture_side + 12));
   show_text(point.what.name, {Face::bold});
   numbers(tab.chart, point);
   if (preview.of) pictures(preview);
   show_text(hint, {.quiet = true});
   ImGui::PopTextWrapPos();
-  ImGui::PopFont();
-  ImGui::EndTooltip();
-  ImGui::PopStyleVar();
+  end_tooltip();
 }
 
 }  // namespace ps::gui

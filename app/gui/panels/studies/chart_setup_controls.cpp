@@ -22,12 +22,6 @@ void heading(const char* text) {
   show_text(text, {Face::bold});
 }
 
-std::string value_label(const Option& option, const std::string& value) {
-  const auto choice =
-      std::find_if(option.choices.begin(), option.choices.end(), [&](const Choice& one) { return one.key == value; });
-  return choice == option.choices.end() ? value : std::string(choice->label);
-}
-
 /// A button for each value of a choice or a toggle. Answers whether the chosen ones changed.
 bool value_buttons(SweepAxis& axis) {
   bool changed = false, first = true;

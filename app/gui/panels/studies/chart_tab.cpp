@@ -303,13 +303,11 @@ void ChartTab::ask_export(const std::string& suggestion) {
                   .hint = "chart.svg",
                   .suggestion = suggestion,
                   .answer = [this](const FileAnswer& file) {
-                    try {
+                    session_.say_saved([&] {
                       require_no_input(file.path, files_of(session_.document().base));
                       write(file.path);
-                      session_.say(Message::Kind::information, fmt::format("Saved {}.", file.path.string()));
-                    } catch (const InputError& error) {
-                      session_.say(Message::Kind::error, error.what());
-                    }
+                      return fmt::format("Saved {}.", file.path.string());
+                    });
                   }});
 }
 

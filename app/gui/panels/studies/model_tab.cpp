@@ -168,15 +168,11 @@ void ModelTab::ask_file() {
                   .hint = "reduced.scene",
                   .suggestion = "reduced.scene",
                   .answer = [this, needs = found, view = measured_.views.front()](const FileAnswer& file) {
-                    try {
+                    session_.say_saved([&] {
                       require_no_input(file.path, files_of(session_.document().base));
                       save_reduced(*needs, view, file.path);
-                      session_.say(
-                          Message::Kind::information,
-                          fmt::format("Saved {}, with its models and textures beside it.", file.path.string()));
-                    } catch (const InputError& error) {
-                      session_.say(Message::Kind::error, error.what());
-                    }
+                      return fmt::format("Saved {}, with its models and textures beside it.", file.path.string());
+                    });
                   }});
 }
 

@@ -50,8 +50,7 @@ void explanation(const StabilityExperiment& experiment, std::span<const Stabilit
 }
 
 void point_tooltip(const Curves& curves, const ExperimentFigure::Row& row, bool has_picture) {
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8), px(8)});
-  ImGui::BeginTooltip();
+  begin_tooltip_at_pointer();
   show_text(fmt::format("{}: {}", curves.knob, short_number(row.knob)));
   for (const auto& [name, value] : {std::pair{"naive", row.naive}, std::pair{"robust", row.robust}})
     if (!std::isnan(value))
@@ -59,8 +58,7 @@ void point_tooltip(const Curves& curves, const ExperimentFigure::Row& row, bool 
   if (!curves.safe.empty())
     show_text(curves.safe.holds(row.knob) ? "inside the safe window" : "outside the safe window");
   if (has_picture) show_text("Click: opens it in A (naive) and B (robust).");
-  ImGui::EndTooltip();
-  ImGui::PopStyleVar();
+  end_tooltip();
 }
 
 void group_heading(const ExperimentGroup& group) {
