@@ -79,9 +79,9 @@ void draw_depth_along_span(FigureValues& values, FigureMarks& marks) {
   add_label(marks, chart(1, last), label_right, fmt::format("${:g}$", last));
 }
 
-/// Powers of x, or of the cosine of an angle.
+/// Powers of x, of n, or of the cosine of an angle.
 void draw_powers(FigureValues& values, FigureMarks& marks) {
-  const std::string_view of = values.word("of", {"x", "cosine"});
+  const std::string_view of = values.word("of", {"x", "n", "cosine"});
   const bool cosine = of == "cosine";
   const std::vector<double> exponents = values.numbers("exponents", {1, 2.2}, {cosine ? 0.1 : -8, 1000});
   const double low = values.number("from", cosine ? -90 : 0, {-90, 100}),
@@ -89,7 +89,7 @@ void draw_powers(FigureValues& values, FigureMarks& marks) {
   const double top = values.number("top", 1, {0.01, 1000});
   if (!(low < high)) values.refuse("to", "more than where it begins");
   const Chart chart{low, high, 0, top};
-  draw_axes(marks, cosine ? "$\\alpha$" : "$x$", "");
+  draw_axes(marks, cosine ? "$\\alpha$" : fmt::format("${}$", of), "");
   constexpr std::array roles{Role::a, Role::b, Role::right, Role::wrong};
   for (std::size_t i = 0; i < exponents.size(); ++i) {
     const Role role = roles[i % roles.size()];
@@ -100,7 +100,7 @@ void draw_powers(FigureValues& values, FigureMarks& marks) {
       if (y <= top) curve.push_back(chart(x, y));
     }
     if (curve.size() < 2) values.refuse("exponents", "curves below the top");
-    const std::string base = cosine ? "\\cos" : "x", space = cosine ? " \\alpha" : "";
+    const std::string base = cosine ? "\\cos" : std::string(of), space = cosine ? " \\alpha" : "";
     const std::string exponent = exponents[i] == 1 ? "" : fmt::format("^{{{:.3g}}}", exponents[i]);
     const double height = 0.85 - 0.22 * static_cast<double>(i % roles.size());  // labels lie below each other
     const Vec2d at = cosine ? chart(portable::acos(power(height, 1 / exponents[i])) * 180 / std::numbers::pi, height)
