@@ -189,11 +189,10 @@ class Balls {
   Image<Vec3f> truth_;
 };
 
-std::vector<StabilityRow> measure(const StabilityRun& run) {
+void measure(const StabilityRun& run, Rows& rows) {
   Balls balls(run);
   const Settings everywhere_16 = Balls::with(16, SamplePattern::jitter);
   const Result robust = balls.sampled(everywhere_16);
-  Rows rows(run);
   const std::string rmse = "RMSE, levels", cost = "eye rays per pixel", share = "% of pixels";
   const auto add = [&](double knob, const std::string& method, const Result& naive) {
     rows.push_back({knob, "error" + method, naive.rmse, robust.rmse, rmse});
@@ -220,7 +219,6 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
     rows.push_back({knob, "grid and jitter", grid.rmse, jitter.rmse, rmse});
     rows.push_back({knob, "grid and jitter, off by 8 levels", grid.off, jitter.off, share});
   }
-  return rows;
 }
 
 StabilityPicture picture(double levels) {
@@ -269,7 +267,7 @@ extern const StabilityExperiment adaptive_sampling_misses{
     .safe = "Pictures without anything smaller than a pixel.",
     .window = nowhere_safe,
     .series = adaptive_sampling_misses_series,
-    .measure = measure,
+    .add_rows = measure,
     .picture = picture,
     .frames = frames};
 

@@ -4,6 +4,7 @@
 #include "options/renderer_kind.h"
 #include "scene/scene_writer.h"
 #include "scene/texture_generator.h"
+#include "study/stability/plain_scene.h"
 #include "study/stability/support.h"
 
 namespace ps::stability::affine_texture {
@@ -30,13 +31,7 @@ Scene strip(const Vec3d& first, const Vec3d& last, const Vec3d& across, int piec
     for (std::size_t k = 0; k < 3; ++k) triangle.uv[k] = static_cast<std::int32_t>(triangle.position[k]);
     mesh.triangles.push_back(triangle);
   }
-  Geometry geometry;
-  geometry.meshes = {std::make_shared<const Mesh>(std::move(mesh))};
-  geometry.objects.push_back({"strip", Instance{}});
-  Scene scene;
-  scene.geometry = Part<Geometry>(std::move(geometry));
-  scene.materials = Part<std::vector<Material>>({Material{}});
-  return scene;
+  return plain_scene("strip", std::move(mesh));
 }
 
 /// The texture coordinates that the rasterizer interpolates, with vertices rounded to its finest 1/4096 px.
@@ -109,8 +104,7 @@ struct Wall {
   }
 };
 
-std::vector<StabilityRow> measure(const StabilityRun& run) {
-  Rows rows(run);
+void measure(const StabilityRun& run, Rows& rows) {
   for (const int pieces : {1, 2, 4, 8, 16, 32, 64, 128})
     rows.push_back({static_cast<double>(pieces), "floor from z = 1.5 to 9.5",
                     floor_rmse(pieces, Interpolation::affine, run), floor_rmse(pieces, Interpolation::perspective, run),
@@ -122,7 +116,6 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
   // No division inside: affine.
   rows.push_back({Wall::width, "wall from z = 1 to 8, px between divisions", Wall::drawn(Interpolation::affine, run),
                   perspective, "texels of 256 (largest)"});
-  return rows;
 }
 
 /// The floor with a board of 8 x 8 squares.
@@ -171,7 +164,7 @@ extern const StabilityExperiment affine_texture{
     .safe = "64 pieces: a tenth of a texel.",
     .window = {64, everywhere},
     .series = affine_texture_series,
-    .measure = measure,
+    .add_rows = measure,
     .picture = picture,
     .frames = frames};
 

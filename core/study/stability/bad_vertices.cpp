@@ -52,15 +52,13 @@ Escaping escaping(std::size_t bad_vertices, const StabilityRun& run) {
   return {percent(escaped.new_first, all), percent(escaped.accumulated_first, all), percent(escaped.fmin, all)};
 }
 
-std::vector<StabilityRow> measure_nan(const StabilityRun& run) {
-  Rows rows(run);
+void measure_nan(const StabilityRun& run, Rows& rows) {
   for (const std::size_t bad : {std::size_t{0}, std::size_t{1}, std::size_t{3}}) {
     const Escaping escaped = escaping(bad, run);
     const auto knob = static_cast<double>(bad);
     rows.push_back({knob, "tree of halves", escaped.new_first, escaped.accumulated_first, "% of rays lost"});
     rows.push_back({knob, "tree of halves, std::fmin(new, accumulated)", std::nan(""), escaped.fmin, "% of rays lost"});
   }
-  return rows;
 }
 
 }  // namespace
@@ -83,6 +81,6 @@ extern const StabilityExperiment nan_vertex{
     .safe = "No NaN.",
     .window = {0, 0},
     .series = nan_vertex_series,
-    .measure = measure_nan};
+    .add_rows = measure_nan};
 
 }  // namespace ps::stability::bad_vertices

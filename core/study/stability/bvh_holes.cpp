@@ -102,8 +102,7 @@ Holes holes_at(const Vec3d& centre, AimAt what, const StabilityRun& run) {
           nodes(naive_work), nodes(robust_work)};
 }
 
-std::vector<StabilityRow> measure(const StabilityRun& run) {
-  Rows rows(run);
+void measure(const StabilityRun& run, Rows& rows) {
   // For a knob of 1e5 the sphere's centre lies at far_centre.
   for (const double distance : {0.0, 1e3, 1e5}) {
     const Holes holes = holes_at(far_centre * (distance / 1e5), AimAt::vertex, run);
@@ -113,7 +112,6 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
   }
   const Holes holes = holes_at(far_centre, AimAt::edge, run);
   rows.push_back({1e5, "rays at edges", holes.naive, holes.robust, "misses per million rays"});
-  return rows;
 }
 
 }  // namespace
@@ -137,6 +135,6 @@ extern const StabilityExperiment bvh_holes{
     .safe = "Nowhere for rays that are aimed at vertices.",
     .window = nowhere_safe,
     .series = bvh_holes_series,
-    .measure = measure};
+    .add_rows = measure};
 
 }  // namespace ps::stability::bvh_holes

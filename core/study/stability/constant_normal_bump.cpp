@@ -129,8 +129,7 @@ double bound_alone(double distance, const StabilityRun& run) {
   return percent(met_again, rays);
 }
 
-std::vector<StabilityRow> measure(const StabilityRun& run) {
-  Rows rows(run);
+void measure(const StabilityRun& run, Rows& rows) {
   for (const double distance : {0.0, 1e3, 1e4, 1e5}) {
     const Rates rates = rates_at(distance, run);
     const double robust = percent(rates.robust, rates.rays);
@@ -152,7 +151,6 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
   }
   rows.push_back({0, "bound of the error, plain Moeller-Trumbore, 400,000 triangles", bound_alone(0, run), std::nan(""),
                   "% self-hits"});
-  return rows;
 }
 
 }  // namespace
@@ -190,6 +188,6 @@ extern const StabilityExperiment constant_normal_bump{
     .safe = "A bump of 0.0001 up to a few hundred units from the origin.",
     .window = {nowhere, 100},
     .series = constant_normal_bump_series,
-    .measure = measure};
+    .add_rows = measure};
 
 }  // namespace ps::stability::constant_normal_bump

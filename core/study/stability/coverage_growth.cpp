@@ -53,8 +53,7 @@ constexpr std::array growing{
 /// Tests of samples, rows, cells or pieces for one triangle whose box is `side` pixels wide and high: half of the box,
 /// and a thin triangle along its diagonal, two pixels high at one end, whose area is `side` pixels (CGPP 15.6.6,
 /// ex. 15.4).
-std::vector<StabilityRow> measure_growth(const StabilityRun& run) {
-  Rows rows(run);
+void measure_growth(const StabilityRun& run, Rows& rows) {
   for (const int side : {8, 16, 32, 64, 128, 256, 512}) {
     const std::array triangles{PixelTriangle{"half of the box", {{{0, 0}, {side, 0}, {0, side}}}},
                                PixelTriangle{"thin", {{{0, 0}, {side, side - 2}, {side, side}}}}};
@@ -70,7 +69,6 @@ std::vector<StabilityRow> measure_growth(const StabilityRun& run) {
       }
     }
   }
-  return rows;
 }
 
 }  // namespace
@@ -94,6 +92,6 @@ extern const StabilityExperiment coverage_growth{
     .safe = "Triangles of a few pixels: then the box has hardly more samples than the triangle.",
     .window = {0, 8},
     .series = coverage_growth_series,
-    .measure = measure_growth};
+    .add_rows = measure_growth};
 
 }  // namespace ps::stability::coverage_growth

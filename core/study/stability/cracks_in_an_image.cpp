@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "study/stability/closed_sphere.h"
+#include "study/stability/plain_scene.h"
 #include "study/stability/support.h"
 
 namespace ps::stability::cracks_in_an_image {
@@ -32,17 +33,11 @@ Vertices ordered(const ClosedSphere& sphere, const Vertices& v, Order order) {
 /// The closed sphere seen from its centre: only cracks show the background.
 Scene inside_of_sphere(Order order) {
   const ClosedSphere sphere = closed_sphere(160, 320, 2, {0, 0, 0});
-  auto mesh = std::make_shared<Mesh>();
-  for (const Vec3f& vertex : sphere.vertices) mesh->positions.emplace_back(vertex);
+  Mesh mesh;
+  for (const Vec3f& vertex : sphere.vertices) mesh.positions.emplace_back(vertex);
   for (const Vertices& vertices : sphere.triangles)
-    mesh->triangles.emplace_back().position = ordered(sphere, vertices, order);
-  mesh->materials = {0};
-  Geometry geometry;
-  geometry.meshes = {std::move(mesh)};
-  geometry.objects.push_back({"sphere", Instance{}});
-  Scene scene;
-  scene.geometry = Part<Geometry>(std::move(geometry));
-  scene.materials = Part<std::vector<Material>>({Material{}});
+    mesh.triangles.emplace_back().position = ordered(sphere, vertices, order);
+  Scene scene = plain_scene("sphere", std::move(mesh));
   scene.camera.viewport_width = scene.camera.viewport_height = 2;
   scene.camera.projection_plane_d = 1;
   return scene;
@@ -68,9 +63,8 @@ Camera turned(Camera camera, Random& random) {
   return camera;
 }
 
-std::vector<StabilityRow> measure(const StabilityRun& run) {
+void measure(const StabilityRun& run, Rows& rows) {
   constexpr const char* unit = "px see through";
-  Rows rows(run);
   const auto add = [&](const std::string& series, const Scene& scene, int size, Precision precision) {
     rows.push_back({static_cast<double>(size), series,
                     uncovered(scene, size, TriangleTest::moeller_trumbore, precision, run),
@@ -91,7 +85,6 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
     robust += uncovered(scene, even, TriangleTest::watertight, Precision::float32, run);
   }
   rows.push_back({static_cast<double>(even), "float, turned cameras, four pictures", naive, robust, unit});
-  return rows;
 }
 
 }  // namespace
@@ -115,6 +108,6 @@ extern const StabilityExperiment cracks_in_an_image{
     .safe = "Views that no edge is aligned with; no size is safe for every view.",
     .window = nowhere_safe,
     .series = cracks_in_an_image_series,
-    .measure = measure};
+    .add_rows = measure};
 
 }  // namespace ps::stability::cracks_in_an_image

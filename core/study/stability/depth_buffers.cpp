@@ -104,8 +104,7 @@ double smallest_gap(const Written& how, double z, const StabilityRun& run) {
   return high;
 }
 
-std::vector<StabilityRow> measure_formats(const StabilityRun& run) {
-  Rows rows(run);
+void measure_formats(const StabilityRun& run, Rows& rows) {
   struct Format {
     const char* name;
     Written depth;
@@ -140,11 +139,9 @@ std::vector<StabilityRow> measure_formats(const StabilityRun& run) {
                     same_neighbours(format.depth, run), same_neighbours(reversed, run),
                     "% of pairs that look the same"});
   }
-  return rows;
 }
 
-std::vector<StabilityRow> measure_near(const StabilityRun& run) {
-  Rows rows(run);
+void measure_near(const StabilityRun& run, Rows& rows) {
   constexpr double z = 1000;
   for (const double near : {1.0, 0.1, 0.01, 0.001}) {
     const Written naive = written(code(DepthFormat::unorm, 24, false, DepthValue::inverse_z, near));
@@ -153,11 +150,9 @@ std::vector<StabilityRow> measure_near(const StabilityRun& run) {
     rows.push_back(
         {near, "closed form: z^2 / (near 2^24), z = 1000", z * z / (near * 0x1p24), std::nan(""), "width of a code"});
   }
-  return rows;
 }
 
-std::vector<StabilityRow> measure_linear(const StabilityRun& run) {
-  Rows rows(run);
+void measure_linear(const StabilityRun& run, Rows& rows) {
   constexpr double gap = 0.01, step = (10000 - 0.1) / 0xffff;
   const Written naive = written(code(DepthFormat::unorm, 16, false, DepthValue::z));
   const Written robust = written(code(DepthFormat::unorm, 24, false, DepthValue::z));
@@ -166,7 +161,6 @@ std::vector<StabilityRow> measure_linear(const StabilityRun& run) {
     rows.push_back(
         {z, "closed form: 1 - gap / step, gap 0.01", 100 * (1 - gap / step), std::nan(""), "% of pixels wrong"});
   }
-  return rows;
 }
 
 StabilityPicture sheets() {
@@ -246,7 +240,7 @@ extern const StabilityExperiment depth_bits_z_fighting{
     .safe = "Gaps above z^2 / (near 2^bits).",
     .window = nowhere_safe,
     .series = depth_bits_z_fighting_series,
-    .measure = measure_formats,
+    .add_rows = measure_formats,
     .picture = picture_formats,
     .frames = gaps};
 
@@ -274,7 +268,7 @@ extern const StabilityExperiment near_plane{
     .safe = "The farthest near plane that cuts nothing off.",
     .window = {1, everywhere},
     .series = near_plane_series,
-    .measure = measure_near,
+    .add_rows = measure_near,
     .picture = picture_near,
     .frames = nears};
 
@@ -296,7 +290,7 @@ extern const StabilityExperiment sixteen_bit_linear_z{
     .safe = "Gaps above 1/65,536 of the range.",
     .window = nowhere_safe,
     .series = sixteen_bit_linear_z_series,
-    .measure = measure_linear,
+    .add_rows = measure_linear,
     .picture = picture_linear,
     .frames = places};
 

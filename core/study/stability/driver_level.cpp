@@ -186,8 +186,7 @@ double colour_error(const Frame& frame, const Frame& formula, const Image<int>& 
 
 constexpr std::array tilts{35.0, 45.0, 55.0, 65.0, 75.0, 80.0};
 
-std::vector<StabilityRow> measure_level(const StabilityRun& run) {
-  Rows rows(run);
+void measure_level(const StabilityRun& run, Rows& rows) {
   Settings shader = plain_settings();
   shader.renderer = driver_renderer().value();
   shader.hardware_texturing = HardwareTexturing::shader;
@@ -206,7 +205,6 @@ std::vector<StabilityRow> measure_level(const StabilityRun& run) {
     rows.push_back({tilt, "colour", colour_error(by_driver, finder.formula(), formula),
                     colour_error(by_shader, finder.formula(), formula), "RMSE, levels of 255"});
   }
-  return rows;
 }
 
 StabilityPicture picture_level(double tilt) {
@@ -248,7 +246,7 @@ extern const StabilityExperiment driver_level{
     .safe = "Surfaces that face the viewer.",
     .window = {nowhere, 35},
     .series = driver_level_series,
-    .measure = measure_level,
+    .add_rows = measure_level,
     .picture = picture_level,
     .measures_driver = true,
     .frames = tilts};

@@ -74,8 +74,7 @@ Settings strip_settings(Renderer renderer, int bits) {
   return settings;
 }
 
-std::vector<StabilityRow> measure_edge(const StabilityRun& run) {
-  Rows measured(run);
+void measure_edge(const StabilityRun& run, Rows& measured) {
   const Renderer triangles = renderer_for(PictureWay::fragments);
   for (int step = 0; step <= 16; ++step) {
     const double moved = step / 2048.0;
@@ -84,7 +83,6 @@ std::vector<StabilityRow> measure_edge(const StabilityRun& run) {
     measured.push_back(
         {moved, "edge, both to 8 bits", driver, off_by(strip_settings(triangles, 8), moved, run), "pixels"});
   }
-  return measured;
 }
 
 }  // namespace
@@ -111,7 +109,7 @@ extern const StabilityExperiment driver_snapping{
     .safe = "Movements of many sub-pixels in each picture.",
     .window = nowhere_safe,
     .series = driver_snapping_series,
-    .measure = measure_edge,
+    .add_rows = measure_edge,
     .measures_driver = true};
 
 }  // namespace ps::stability::driver_snapping

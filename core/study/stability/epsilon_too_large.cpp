@@ -50,20 +50,18 @@ double lost(const Frame& truth, const Frame& frame, int light) {
   return percent(gone, all);
 }
 
-std::vector<StabilityRow> measure(const StabilityRun& run) {
+void measure(const StabilityRun& run, Rows& rows) {
   const Scene scene = parse_scene(scene_text, "ball", ".");
   const Frame truth = shadows_of(scene, guarded(-1), run);
   Settings robust = guarded(-1);
   robust.precision = Precision::float32;
   const Frame offset = shadows_of(scene, robust, run);
-  Rows rows(run);
   for (const double epsilon : {1e-3, 1e-2, 0.05, 0.1, 0.2, 0.3, 0.5}) {
     const Frame frame = shadows_of(scene, guarded(epsilon), run);
     for (const int light : {point_light, sun})
       rows.push_back({epsilon, light == sun ? "directional light" : "point light", lost(truth, frame, light),
                       lost(truth, offset, light), "% of the shadow on the ground lost"});
   }
-  return rows;
 }
 
 StabilityPicture picture(double epsilon) {
@@ -94,7 +92,7 @@ extern const StabilityExperiment epsilon_too_large{
     .safe = "Up to 0.01 for this scene.",
     .window = {nowhere, 0.01},
     .series = epsilon_too_large_series,
-    .measure = measure,
+    .add_rows = measure,
     .picture = picture,
     .frames = frames};
 

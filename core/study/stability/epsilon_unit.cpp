@@ -35,12 +35,10 @@ double shortest_shadow(double length, EpsilonUnit unit, const StabilityRun& run)
   return seen;
 }
 
-std::vector<StabilityRow> measure(const StabilityRun& run) {
-  Rows rows(run);
+void measure(const StabilityRun& run, Rows& rows) {
   for (const double length : {0.1, 1.0, 3.5, 5.744562646538029, 100.0})
     rows.push_back({length, "shadow rays", shortest_shadow(length, EpsilonUnit::ray_parameter, run),
                     shortest_shadow(length, EpsilonUnit::distance, run), "units between board and wall"});
-  return rows;
 }
 
 }  // namespace
@@ -63,6 +61,6 @@ extern const StabilityExperiment epsilon_unit{
     .safe = "Directions of length 1.",
     .window = {1, 1},
     .series = epsilon_unit_series,
-    .measure = measure};
+    .add_rows = measure};
 
 }  // namespace ps::stability::epsilon_unit

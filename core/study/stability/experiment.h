@@ -16,6 +16,9 @@
 #include "study/stability/series.h"
 
 namespace ps {
+namespace stability {
+class Rows;
+}
 
 /// One measured place of a curve. A method that a series does not have is NaN: a series of one method, a closed form or
 /// a ratio has its value in `naive` or in `robust` alone.
@@ -94,10 +97,13 @@ struct StabilityExperiment {
   std::string_view safe;                    ///< where the naive method may be used, in words
   SafeWindow window;                        ///< the same on the knob
   std::span<const StabilitySeries> series;  ///< what its series measure; the one first that the text speaks of
-  std::vector<StabilityRow> (*measure)(const StabilityRun&) = nullptr;
-  StabilityPicture (*picture)(double knob) = nullptr;  ///< null: nothing to see
+  void (*add_rows)(const StabilityRun&, stability::Rows&) = nullptr;  ///< measures
+  StabilityPicture (*picture)(double knob) = nullptr;                 ///< null: nothing to see
   bool measures_driver = false;      ///< it needs the renderer that uses a graphics driver (render/renderer_table.h)
   std::span<const double> frames{};  ///< knobs of the film strip, from left to right: those of the first of `series`
+
+  /// Its table.
+  std::vector<StabilityRow> measure(const StabilityRun& run) const;
 };
 
 /// All experiments of this program, by their place; those that measure the graphics driver are not among them where no

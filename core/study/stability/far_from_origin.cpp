@@ -102,8 +102,7 @@ Errors errors_at(double distance, const StabilityRun& run) {
   return errors;
 }
 
-std::vector<StabilityRow> measure(const StabilityRun& run) {
-  Rows rows(run);
+void measure(const StabilityRun& run, Rows& rows) {
   for (const double distance : {0.0, 1e3, 1e4, 1e5, 1e6, 1e7}) {
     const Errors errors = errors_at(distance, run);
     const auto add = [&](const std::string& name, const Error& naive) {
@@ -113,7 +112,6 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
     add("camera-relative = off", errors.rounded_first);
     add("4 x 4 matrix in float", errors.matrix);
   }
-  return rows;
 }
 
 StabilityPicture picture(double distance) {
@@ -146,7 +144,7 @@ extern const StabilityExperiment far_from_origin{
     .safe = "Up to 10,000 units: a vertex is off by a quarter of a pixel at most.",
     .window = {nowhere, 1e4},
     .series = far_from_origin_series,
-    .measure = measure,
+    .add_rows = measure,
     .picture = picture,
     .frames = frames};
 

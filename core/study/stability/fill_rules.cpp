@@ -56,8 +56,7 @@ FlatMesh rectangles() {
 }
 
 /// 7,200 triangles with vertices on half pixels, or rectangles whose edges run through samples.
-std::vector<StabilityRow> measure_easy(const StabilityRun& run) {
-  Rows rows(run);
+void measure_easy(const StabilityRun& run, Rows& rows) {
   for (const bool squares : {false, true}) {
     run.check();
     const FlatMesh mesh = squares ? rectangles() : turned_mesh(60, 0.5, run);
@@ -74,11 +73,9 @@ std::vector<StabilityRow> measure_easy(const StabilityRun& run) {
       rows.push_back({knob, name + ", doubles", naive.doubles, robust.doubles, "px of 429,025"});
     }
   }
-  return rows;
 }
 
-std::vector<StabilityRow> measure_int32(const StabilityRun& run) {
-  Rows rows(run);
+void measure_int32(const StabilityRun& run, Rows& rows) {
   for (const int cells : {16, 8, 6, 5, 4, 3}) {
     run.check();
     const FlatMesh mesh = turned_mesh(cells, 0, run);
@@ -89,7 +86,6 @@ std::vector<StabilityRow> measure_int32(const StabilityRun& run) {
     rows.push_back({window / static_cast<double>(cells), "square root of a triangle's area", holes(Width::int32),
                     holes(Width::int64), "holes, px of 429,025"});
   }
-  return rows;
 }
 
 /// The book's DrawFilledTriangle (CGFS ch. 7): from the rounded left edge to the rounded right edge, both included,
@@ -110,8 +106,7 @@ void book_triangle(std::array<Vec2d, 3> p, Image<int>& times) {
   }
 }
 
-std::vector<StabilityRow> measure_inclusive(const StabilityRun& run) {
-  Rows rows(run);
+void measure_inclusive(const StabilityRun& run, Rows& rows) {
   for (const double size : {100.0, 50.0, 21.0, 10.0, 5.0, 3.0}) {
     run.check();
     Random random(run.seed);
@@ -125,7 +120,6 @@ std::vector<StabilityRow> measure_inclusive(const StabilityRun& run) {
     rows.push_back({size, "mesh", percent(naive.doubles, naive.pixels), percent(robust.doubles, robust.pixels),
                     "% of pixels painted more than once"});
   }
-  return rows;
 }
 
 }  // namespace
@@ -150,7 +144,7 @@ extern const StabilityExperiment fill_rule_easy{
     .safe = "Meshes without a sample on an edge.",
     .window = nowhere_safe,
     .series = fill_rule_easy_series,
-    .measure = measure_easy};
+    .add_rows = measure_easy};
 
 static constexpr StabilitySeries int32_edge_functions_series[]{
     {.names = "*", .title = "pixels that no triangle paints", .unit = "px of 429,025"},
@@ -170,7 +164,7 @@ extern const StabilityExperiment int32_edge_functions{
     .safe = "Triangles with edges of up to 128 pixels, whose areas are at most half of 128 by 128.",
     .window = {nowhere, 90},
     .series = int32_edge_functions_series,
-    .measure = measure_int32};
+    .add_rows = measure_int32};
 
 static constexpr StabilitySeries inclusive_scanlines_series[]{
     {.names = "*", .title = "pixels painted more than once", .unit = "%"},
@@ -189,6 +183,6 @@ extern const StabilityExperiment inclusive_scanlines{
     .safe = "Opaque triangles, where painting a pixel twice only costs time.",
     .window = nowhere_safe,
     .series = inclusive_scanlines_series,
-    .measure = measure_inclusive};
+    .add_rows = measure_inclusive};
 
 }  // namespace ps::stability::fill_rules

@@ -3,18 +3,12 @@
 #include <memory>
 
 #include "study/stability/octree_shortcuts.h"
+#include "study/stability/plain_scene.h"
 
 namespace ps::stability::grid_octree_borders {
 namespace {
 
 using Primitives = Intersector<double, Silent>;
-
-Scene scene_of(Geometry geometry) {
-  Scene scene;
-  scene.geometry = Part<Geometry>(std::move(geometry));
-  scene.materials = Part<std::vector<Material>>({Material{}});
-  return scene;
-}
 
 /// 2,000 balls of radius 0.02 in a cube of side 1.
 Scene balls_in_cube(Random& random) {
@@ -22,7 +16,7 @@ Scene balls_in_cube(Random& random) {
   Geometry geometry;
   for (int i = 0; i < 2000; ++i)
     geometry.objects.push_back({"", Sphere{Vec3d(0.5) + random.in_cube(0.5 - radius), radius, 0}});
-  return scene_of(std::move(geometry));
+  return plain_scene(std::move(geometry));
 }
 
 /// 2,000 right triangles with legs of 0.08 along the axes, each in a plane at a whole number of sixteenths inside a
@@ -51,7 +45,7 @@ Scene triangles_on_borders(Random& random) {
   Geometry geometry;
   geometry.meshes = {std::make_shared<Mesh>(std::move(mesh))};
   geometry.objects.push_back({"triangles", Instance{}});
-  return scene_of(std::move(geometry));
+  return plain_scene(std::move(geometry));
 }
 
 TraceInputs<double> inputs_with(const Scene& scene, Accelerator accelerator, int depth, Prepared& prepared) {
@@ -150,8 +144,7 @@ class Search {
   Octree<double> by_centre_, on_one_side_;
 };
 
-std::vector<StabilityRow> measure(const StabilityRun& run) {
-  Rows rows(run);
+void measure(const StabilityRun& run, Rows& rows) {
   Random random(run.seed);
   const Scene balls = balls_in_cube(random), flat = triangles_on_borders(random);
   const std::vector<KnownRay> at_balls = known_rays(balls, random, run), at_flat = known_rays(flat, random, run);
@@ -173,7 +166,6 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
     add("triangles on borders, t <= cell exit", exit(Search::Cells::program), on_borders);
     add("triangles on borders, kept on one side, t <= cell exit", exit(Search::Cells::on_one_side), on_borders);
   }
-  return rows;
 }
 
 }  // namespace
@@ -195,6 +187,6 @@ extern const StabilityExperiment grid_octree_borders{
     .safe = "Nowhere.",
     .window = nowhere_safe,
     .series = grid_octree_borders_series,
-    .measure = measure};
+    .add_rows = measure};
 
 }  // namespace ps::stability::grid_octree_borders

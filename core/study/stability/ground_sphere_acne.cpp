@@ -102,7 +102,7 @@ constexpr std::array frames{0.0, 1e-5, 1e-4, 1e-3};
 
 }  // namespace
 
-static std::vector<StabilityRow> measure_ground_sphere_acne(const StabilityRun& run) {
+static void measure_ground_sphere_acne(const StabilityRun& run, Rows& rows) {
   const std::vector<double> book{0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2}, coarse{1e-4, 1e-3, 1e-2};
   const std::vector<double> book_but_rare{0.0, 1e-6, 1e-5, 1e-3, 1e-2};
   const std::vector<double> fine{0.0, 1e-12, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
@@ -119,7 +119,6 @@ static std::vector<StabilityRow> measure_ground_sphere_acne(const StabilityRun& 
       {"radius 5000, float, light 0.02 above, grazing pixels as well", 5000, below(5000), -0.98, single, {1e-3}},
       {"radius 100000, float", 1e5, below(1e5), 1, single, book},
       {"radius 5000, double", 5000, below(5000), 1, Precision::float64, fine}};
-  Rows rows(run);
   for (const Series& series : all) {
     run.check();
     Settings robust;
@@ -138,7 +137,6 @@ static std::vector<StabilityRow> measure_ground_sphere_acne(const StabilityRun& 
                     false_shadow_by_remainder(static_cast<float>(epsilon), run), std::nan(""),
                     "% of lit pixels in their own shadow"});
   add_points(rows, run);
-  return rows;
 }
 
 static constexpr StabilitySeries ground_sphere_acne_series[]{
@@ -171,7 +169,7 @@ extern const StabilityExperiment ground_sphere_acne{
     .safe = "No epsilon is safe for every radius and light; 0.001 is enough for the book's scene.",
     .window = nowhere_safe,
     .series = ground_sphere_acne_series,
-    .measure = measure_ground_sphere_acne,
+    .add_rows = measure_ground_sphere_acne,
     .picture = picture_ground,
     .frames = frames};
 

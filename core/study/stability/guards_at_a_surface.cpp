@@ -94,8 +94,7 @@ double wrong_shadows(const Body& body, double size, SelfHit guard, const Stabili
   return percent(wrong, side * side);
 }
 
-std::vector<StabilityRow> measure(const StabilityRun& run) {
-  Rows rows(run);
+void measure(const StabilityRun& run, Rows& rows) {
   for (const double size : {1e-4, 1e-3, 1e-2, 1.0, 1e2, 1e4, 1e6})
     for (const Body& body : bodies) {
       const double robust = wrong_shadows(body, size, SelfHit::offset, run);
@@ -103,7 +102,6 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
         rows.push_back({size, fmt::format("{}, {}", body.name, naive.name), wrong_shadows(body, size, naive.guard, run),
                         robust, "% of pixels"});
     }
-  return rows;
 }
 
 StabilityPicture picture(double size) {
@@ -133,7 +131,7 @@ extern const StabilityExperiment guards_at_a_surface{
     .safe = "Exclusion: convex bodies and single triangles. An epsilon or a bump of 0.001: scenes of 1 to 100 units.",
     .window = nowhere_safe,
     .series = guards_at_a_surface_series,
-    .measure = measure,
+    .add_rows = measure,
     .picture = picture,
     .frames = frames};
 

@@ -134,14 +134,12 @@ void turn_again_and_again(Rows& rows) {
   }
 }
 
-std::vector<StabilityRow> measure(const StabilityRun& run) {
-  Rows rows(run);
+void measure(const StabilityRun& run, Rows& rows) {
   add_slopes(rows, run);
   count_wrong_pixels(rows, run);
   finer_numbers(rows, run);
   add_inverse_depths(rows);
   turn_again_and_again(rows);
-  return rows;
 }
 
 }  // namespace
@@ -168,6 +166,6 @@ extern const StabilityExperiment interpolate_drift{
     .safe = "Up to about 10,000 steps for a third of a pixel.",
     .window = {nowhere, 10000},
     .series = interpolate_drift_series,
-    .measure = measure};
+    .add_rows = measure};
 
 }  // namespace ps::stability::interpolate_drift

@@ -8,6 +8,7 @@
 #include "options/renderer_kind.h"
 #include "raster/assembly/screen_geometry.h"
 #include "raster/base/depth_test.h"
+#include "study/stability/plain_scene.h"
 #include "study/stability/support.h"
 
 namespace ps::stability::inverse_depth {
@@ -42,14 +43,7 @@ Scene scene_of(const Wall& wall) {
   Mesh mesh;
   mesh.positions = {{wall.a_x, -half_height, wall.a_z}, {wall.a_x, half_height, wall.a_z}, {wall.b_x, 0, wall.b_z}};
   mesh.triangles.emplace_back().position = {0, 1, 2};
-  mesh.materials = {0};
-  Geometry geometry;
-  geometry.meshes = {std::make_shared<Mesh>(std::move(mesh))};
-  geometry.objects.push_back({"wall", Instance{}});
-  Scene scene;
-  scene.geometry = Part<Geometry>(std::move(geometry));
-  scene.materials = Part<std::vector<Material>>({Material{}});
-  return scene;
+  return plain_scene("wall", std::move(mesh));
 }
 
 /// The depths that the program compares along the middle row of the picture, as z; sampled at whole pixels, as the book
@@ -104,8 +98,7 @@ double wrongly_ordered(const std::vector<double>& row) {
   return percent(wrong, objects * static_cast<double>(row.size()));
 }
 
-std::vector<StabilityRow> measure(const StabilityRun& run) {
-  Rows rows(run);
+void measure(const StabilityRun& run, Rows& rows) {
   for (const double ratio : {1.1, 2.0, 5.0, 10.0, 100.0, 1000.0}) {
     const Wall wall = across_picture(ratio);
     const char* unit = "share of the depth range";
@@ -121,7 +114,6 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
       {book_wall.ratio(), "the book's edge", naive[centre], robust[centre], "z at the centre of the canvas"});
   rows.push_back({book_wall.ratio(), "the book's edge before objects of one depth", wrongly_ordered(naive),
                   wrongly_ordered(robust), "% of pixels that show the wrong one"});
-  return rows;
 }
 
 /// The wall from z = 2 to z = 2 `ratio`, and a board halfway between those depths.
@@ -173,7 +165,7 @@ extern const StabilityExperiment inverse_depth{
     .safe = "Ratios up to 1.1 for an error of 2.5 % of the depth range.",
     .window = {nowhere, 1.1},
     .series = inverse_depth_series,
-    .measure = measure,
+    .add_rows = measure,
     .picture = picture,
     .frames = frames};
 

@@ -127,11 +127,10 @@ Error supersampled(const Floor& floor, int side) {
   });
 }
 
-std::vector<StabilityRow> measure_lod(const StabilityRun& run) {
+void measure_lod(const StabilityRun& run, Rows& rows) {
   const Floor floor = make_floor(run);
   const Error robust = error_of(floor, TextureFilter::trilinear, 0, 16);
   constexpr double tap = 4;  // a bilinear lookup is one
-  Rows rows(run);
   const auto add = [&](double knob, const std::string& name, const Error& naive) {
     rows.push_back({knob, name, naive.whole, robust.whole, "RMSE, levels"});
     rows.push_back({knob, name + ", far quarter", naive.far, robust.far, "RMSE, levels"});
@@ -146,7 +145,6 @@ std::vector<StabilityRow> measure_lod(const StabilityRun& run) {
   for (const int taps : {2, 4, 8, 16})
     add(taps, "anisotropic, taps", error_of(floor, TextureFilter::trilinear, 0, taps));
   for (const int side : {4, 8}) add(side * side, "many samples, no levels", supersampled(floor, side));
-  return rows;
 }
 
 /// The floor that is measured, below a sky.
@@ -223,7 +221,7 @@ extern const StabilityExperiment mipmap_lod{
     .safe = "Surfaces that face the viewer.",
     .window = {16, everywhere},
     .series = mipmap_lod_series,
-    .measure = measure_lod,
+    .add_rows = measure_lod,
     .picture = picture_lod,
     .frames = biases};
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "scene/scene_writer.h"
+#include "study/stability/plain_scene.h"
 #include "study/stability/support.h"
 
 namespace ps::stability::missed_details {
@@ -11,12 +12,10 @@ namespace {
 
 /// White things before black, without lights, in an orthographic picture whose pixels are 1 world unit wide.
 Scene in_pixels(Geometry geometry, int width, int height) {
-  Scene scene;
+  Scene scene = plain_scene(std::move(geometry));
   scene.camera.viewport_width = width;
   scene.camera.viewport_height = height;
   scene.background = Vec3d(0);
-  scene.materials = Part<std::vector<Material>>({Material{}});
-  scene.geometry = Part<Geometry>(std::move(geometry));
   return scene;
 }
 Settings without_light() {
@@ -79,10 +78,9 @@ Settings samples(int count, SamplePattern pattern = SamplePattern::grid) {
   return settings;
 }
 
-std::vector<StabilityRow> measure_disc(const StabilityRun& run) {
+void measure_disc(const StabilityRun& run, Rows& rows) {
   Settings at_corner = samples(1);
   at_corner.sample_position = SamplePosition::corner;
-  Rows rows(run);
   const auto add = [&](double diameter, const char* series, double naive, double robust) {
     rows.push_back({diameter, series, naive, robust, "% missed"});
   };
@@ -99,7 +97,6 @@ std::vector<StabilityRow> measure_disc(const StabilityRun& run) {
     if (diameter <= 1)
       add(diameter, "closed form: 1 - pi D^2 / 4", 100 * (1 - pi * diameter * diameter / 4), std::nan(""));
   }
-  return rows;
 }
 
 StabilityPicture picture_disc(double diameter) {
@@ -139,8 +136,7 @@ class Bars {
   Scene scene_;
 };
 
-std::vector<StabilityRow> measure_bars(const StabilityRun& run) {
-  Rows rows(run);
+void measure_bars(const StabilityRun& run, Rows& rows) {
   for (const int step : {2, 4, 8, 16})
     for (const int width : {1, 2, 4, 8}) {
       if (width >= step) continue;
@@ -150,7 +146,6 @@ std::vector<StabilityRow> measure_bars(const StabilityRun& run) {
       rows.push_back({static_cast<double>(step), fmt::format("closed form: 1 - {} / k", width),
                       100 * (1 - static_cast<double>(width) / step), std::nan(""), "% missed"});
     }
-  return rows;
 }
 
 StabilityPicture picture_bars(double step) {
@@ -183,7 +178,7 @@ extern const StabilityExperiment sub_pixel_disc_missed{
     .safe = "Discs larger than 1.42 pixels.",
     .window = {1.42, everywhere},
     .series = sub_pixel_disc_missed_series,
-    .measure = measure_disc,
+    .add_rows = measure_disc,
     .picture = picture_disc,
     .frames = diameters};
 
@@ -206,7 +201,7 @@ extern const StabilityExperiment subsampling_bars{
     .safe = "Objects at least k pixels wide.",
     .window = {1, 1},
     .series = subsampling_bars_series,
-    .measure = measure_bars,
+    .add_rows = measure_bars,
     .picture = picture_bars,
     .frames = steps};
 

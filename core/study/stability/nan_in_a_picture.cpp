@@ -128,8 +128,7 @@ double lost_to_samples(Sums sums, const StabilityRun& run) {
   return percent(lost, samples - bad);
 }
 
-std::vector<StabilityRow> measure(const StabilityRun& run) {
-  Rows rows(run);
+void measure(const StabilityRun& run, Rows& rows) {
   const Image<Vec3f> picture = greys(Middle::not_a_number, run);
   for (const int width : {1, 3, 5, 9, 15})
     rows.push_back({static_cast<double>(width), "blur, one NaN pixel", lost_to_blur(picture, width, Sums::all),
@@ -141,7 +140,6 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
                   "% of later means lost"});
   add_clamps(rows, run);
   add_checks(rows, run);
-  return rows;
 }
 
 }  // namespace
@@ -177,6 +175,6 @@ extern const StabilityExperiment nan_in_a_picture{
     .safe = "No NaN.",
     .window = nowhere_safe,
     .series = nan_in_a_picture_series,
-    .measure = measure};
+    .add_rows = measure};
 
 }  // namespace ps::stability::nan_in_a_picture

@@ -24,7 +24,7 @@ bool accepting(const Vec3f& origin, const Vec3f& direction, const TracedTriangle
   return result.verdict == TriangleVerdict::inside && result.t > 0;
 }
 
-std::vector<StabilityRow> measure(const StabilityRun& run) {
+void measure(const StabilityRun&, Rows& rows) {
   constexpr float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
   struct Case {
     const char* name;
@@ -32,7 +32,6 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
     TracedTriangle<float> triangle;
   };
   const Vec3f ahead(0, 0, 1), a(-1, -1, 5), b(1, -1, 5), c(0, 1, 5), all_nan(nan);
-  Rows rows(run);
   for (const Case& k :
        {Case{"NaN vertex", ahead, {a, b, {nan, 1, 5}}}, Case{"all NaN", ahead, {all_nan, all_nan, all_nan}},
         Case{"infinite vertex", ahead, {a, b, {0, inf, 5}}}, Case{"NaN direction", {0, 0, nan}, {a, b, c}},
@@ -43,7 +42,6 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
         Case{"direction 0", Vec3f(0), {a, b, c}}})
     rows.push_back({0, k.name, rejecting(Vec3f(0), k.direction, k.triangle) ? 1.0 : 0.0,
                     accepting(Vec3f(0), k.direction, k.triangle) ? 1.0 : 0.0, "hits"});
-  return rows;
 }
 
 }  // namespace
@@ -67,6 +65,6 @@ extern const StabilityExperiment nan_in_moller_trumbore{
     .safe = "Finite coordinates whose products are finite.",
     .window = nowhere_safe,
     .series = nan_in_moller_trumbore_series,
-    .measure = measure};
+    .add_rows = measure};
 
 }  // namespace ps::stability::nan_in_moller_trumbore

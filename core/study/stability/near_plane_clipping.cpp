@@ -38,8 +38,7 @@ Owners picture_with(double third_z, const Settings& settings, const StabilityRun
   return owners_of(frame.ids, [](const PixelId& id) { return id.object; });
 }
 
-std::vector<StabilityRow> measure(const StabilityRun& run) {
-  Rows rows(run);
+void measure(const StabilityRun& run, Rows& rows) {
   for (const double z : {3.0, 1.0, 0.5, -0.5, -1.0, -3.0, -10.0}) {
     Settings rays;
     rays.precision = Precision::float64;
@@ -58,7 +57,6 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
     add("clamp z to the near plane", picture_with(std::max(z, near), none, run));
     add("take |z|", picture_with(std::abs(z), none, run));
   }
-  return rows;
 }
 
 StabilityPicture picture(double z) {
@@ -90,7 +88,7 @@ extern const StabilityExperiment near_plane_clipping{
     .safe = "Triangles wholly before the near plane.",
     .window = {near, everywhere},
     .series = near_plane_clipping_series,
-    .measure = measure,
+    .add_rows = measure,
     .picture = picture,
     .frames = frames};
 

@@ -51,9 +51,8 @@ LambertError lambert_error(const Transform& transform, const Mat3d& normals, con
 
 /// Planes x + y/m = const for many slopes m, stretched by s along x: the angle between the transformed normal and the
 /// normal of the transformed plane, whose direction in the plane is known.
-static std::vector<StabilityRow> measure_normal_under_scale(const StabilityRun& run) {
+static void measure_normal_under_scale(const StabilityRun& run, Rows& rows) {
   constexpr double degrees = 57.29577951308232;
-  Rows rows(run);
   for (const double scale : {1.0, 1.5, 2.0, 5.0, 10.0, 100.0}) {
     run.check();
     Transform transform;
@@ -77,7 +76,6 @@ static std::vector<StabilityRow> measure_normal_under_scale(const StabilityRun& 
     rows.push_back({scale, "diffuse light of a ball", wrong.rmse, right.rmse, "RMSE, levels"});
     rows.push_back({scale, "ball lit or not", wrong.flips, right.flips, "% of its places differ"});
   }
-  return rows;
 }
 
 static constexpr StabilitySeries normal_under_scale_series[]{
@@ -100,6 +98,6 @@ extern const StabilityExperiment normal_under_scale{
     .safe = "Uniform scales only.",
     .window = {1, 1},
     .series = normal_under_scale_series,
-    .measure = measure_normal_under_scale};
+    .add_rows = measure_normal_under_scale};
 
 }  // namespace ps::stability::normal_under_scale

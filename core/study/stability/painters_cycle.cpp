@@ -5,6 +5,7 @@
 
 #include "options/renderer_kind.h"
 #include "study/stability/inner_pixels.h"
+#include "study/stability/plain_scene.h"
 
 namespace ps::stability::painters_cycle {
 namespace {
@@ -27,14 +28,7 @@ class Sheets {
       triangle.position = {first, first + 1, first + 2};
       mesh.triangles.push_back(triangle);
     }
-    mesh.materials = {0};
-    Geometry geometry;
-    geometry.meshes = {std::make_shared<Mesh>(std::move(mesh))};
-    geometry.objects.push_back({"sheets", Instance{}});
-    Scene scene;
-    scene.geometry = Part<Geometry>(std::move(geometry));
-    scene.materials = Part<std::vector<Material>>({Material{}});
-    return scene;
+    return plain_scene("sheets", std::move(mesh));
   }
 
  private:
@@ -179,11 +173,9 @@ void add_random_triangles(Rows& rows, int count, const StabilityRun& run) {
   rows.push_back({knob, "random triangles, by farthest vertex", farthest, buffer, unit});
 }
 
-std::vector<StabilityRow> measure(const StabilityRun& run) {
-  Rows rows(run);
+void measure(const StabilityRun& run, Rows& rows) {
   add_bars(rows, run);
   for (const int count : {10, 30, 100, 300}) add_random_triangles(rows, count, run);
-  return rows;
 }
 
 StabilityPicture picture(double) {
@@ -220,7 +212,7 @@ extern const StabilityExperiment painters_cycle{
     .safe = "Sheets that have an order from far to near, such as one alone.",
     .window = {0, 1},
     .series = painters_cycle_series,
-    .measure = measure,
+    .add_rows = measure,
     .picture = picture,
     .frames = frames};
 

@@ -77,10 +77,9 @@ class Places {
 /// Where texels are small, all places are much the same.
 int places_for(int size, int most) { return size > 1024 ? 1 : most; }
 
-std::vector<StabilityRow> measure(const StabilityRun& run) {
+void measure(const StabilityRun& run, Rows& rows) {
   const std::string unit = "% of contact shadow lost";
   const ShadowComparison<double> half_texel{0, slope_bias_of_floors(1), 1};
-  Rows rows(run);
   for (const int size : {256, 1024, 4096}) {
     const Places places(10, size, places_for(size, 16), run);
     const double robust = places.contact_lost(half_texel);
@@ -104,7 +103,6 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
     rows.push_back({0, fmt::format("{} texels, sun at 60 degrees, whole shadow", size),
                     Places(60, size, places_for(size, 4), run).shadow_lost(half_texel), std::nan(""),
                     "% of the floor around loses its shadow"});
-  return rows;
 }
 
 /// The ball from near by, and a thin post. Fine triangles keep what the map holds close to what the eye sees.
@@ -159,7 +157,7 @@ extern const StabilityExperiment peter_panning{
     .safe = "Biases far below the size of objects.",
     .window = {nowhere, 0.02},
     .series = peter_panning_series,
-    .measure = measure,
+    .add_rows = measure,
     .picture = picture,
     .frames = biases};
 

@@ -19,7 +19,7 @@ Settings book(Precision precision, double epsilon) {
   return settings;
 }
 
-std::vector<StabilityRow> measure(const StabilityRun& run) {
+void measure(const StabilityRun& run, Rows& rows) {
   const Scene scene = load_scene("cgfs/reflections");
   const auto levels = [&](const Settings& settings) {
     return display_frame(picture_of(scene, {scene.camera, 600, 600}, settings, Channel::none, run), settings);
@@ -31,7 +31,6 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
   offset_double.precision = Precision::float64;
   const Image<Rgb8> robust_double = levels(offset_double);
   const Comparison robust = compare_channels(levels(offset), robust_double);
-  Rows rows(run);
   // In double epsilons of a millionth are enough, and drop nothing that can be seen.
   Settings small = book(Precision::float64, 1e-6);
   small.shadow_epsilon = 1e-6;
@@ -46,7 +45,6 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
     rows.push_back({epsilon, "the epsilons alone, in double", differing(compare_channels(wide, truth)), robust_alone,
                     "px of 360,000 differ"});
   }
-  return rows;
 }
 
 StabilityPicture picture(double epsilon) {
@@ -83,7 +81,7 @@ extern const StabilityExperiment precision{
     .safe = "No epsilon: the offset gives the same picture in both but for a few pixels.",
     .window = nowhere_safe,
     .series = precision_series,
-    .measure = measure,
+    .add_rows = measure,
     .picture = picture,
     .frames = frames};
 

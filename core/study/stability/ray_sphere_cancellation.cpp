@@ -132,11 +132,9 @@ void compare(Rows& rows, Method naive, std::optional<Method> robust, const std::
   }
 }
 
-std::vector<StabilityRow> measure_ray_sphere_cancellation(const StabilityRun& run) {
-  Rows rows(run);
+void measure_ray_sphere_cancellation(const StabilityRun& run, Rows& rows) {
   compare(rows, Method::textbook, Method::remainder, "", run.count(9, 1), run);
   compare(rows, Method::textbook_double, {}, ", textbook in double", 1, run);
-  return rows;
 }
 
 /// The ball is equally large in the picture at every distance: the projection plane is as far away as it is.
@@ -179,7 +177,7 @@ extern const StabilityExperiment ray_sphere_cancellation{
     .safe = "Up to 100 radii.",
     .window = {nowhere, 100},
     .series = ray_sphere_series,
-    .measure = measure_ray_sphere_cancellation,
+    .add_rows = measure_ray_sphere_cancellation,
     .picture = picture_ray_sphere,
     .frames = frames};
 

@@ -76,12 +76,11 @@ Scene all_mirrors(double reflective) {
 }  // namespace
 
 /// The book's reflections against the same picture at depth 60, in levels of 255 before rounding, clamped.
-static std::vector<StabilityRow> measure_recursion_depth(const StabilityRun& run) {
+static void measure_recursion_depth(const StabilityRun& run, Rows& rows) {
   constexpr int enough = 8;
   const std::string levels = "RMSE, levels of 255";
   Mirrors book(load_scene("cgfs/reflections"), run.side(600, 200), run);
   const Mirrors::Error robust = book.error(enough);
-  Rows rows(run);
   for (const int depth : {0, 1, 2, 3, 4, 5, 6, 8}) {
     const Mirrors::Error naive = depth == enough ? robust : book.error(depth);
     const double knob = depth;
@@ -97,7 +96,6 @@ static std::vector<StabilityRow> measure_recursion_depth(const StabilityRun& run
       rows.push_back({static_cast<double>(depth), fmt::format("every reflectivity {}", reflective),
                       depth == 20 ? most : mirrors.error(depth).rmse, most, levels});
   }
-  return rows;
 }
 
 static StabilityPicture picture_recursion_depth(double depth) {
@@ -139,7 +137,7 @@ extern const StabilityExperiment recursion_depth{
     .safe = "From a depth of 3 for this scene: an error of 0.4 levels (RMS).",
     .window = {3, everywhere},
     .series = recursion_depth_series,
-    .measure = measure_recursion_depth,
+    .add_rows = measure_recursion_depth,
     .picture = picture_recursion_depth,
     .frames = frames};
 

@@ -41,9 +41,8 @@ StabilityPicture picture_reflection_self_hit(double epsilon) {
   return picture;
 }
 
-std::vector<StabilityRow> measure_reflection_self_hit(const StabilityRun& run) {
+void measure_reflection_self_hit(const StabilityRun& run, Rows& rows) {
   const Scene scene = parse_scene(scene_text, "mirror ground", ".");
-  Rows rows(run);
   for (const Precision precision : {Precision::float32, Precision::float64}) {
     Settings robust = picture_reflection_self_hit(0).robust;
     robust.precision = precision;
@@ -55,7 +54,6 @@ std::vector<StabilityRow> measure_reflection_self_hit(const StabilityRun& run) {
                       self_reflections(scene, naive, run), robust_wrong, "% of ground pixels that reflect the ground"});
     }
   }
-  return rows;
 }
 
 constexpr std::array frames{1e-4, 1e-3, 1e-2, 1e-1};
@@ -80,7 +78,7 @@ extern const StabilityExperiment reflection_self_hit{
     .safe = "0.1 in float; 0.001 in double.",
     .window = {0.1, everywhere},
     .series = reflection_self_hit_series,
-    .measure = measure_reflection_self_hit,
+    .add_rows = measure_reflection_self_hit,
     .picture = picture_reflection_self_hit,
     .frames = frames};
 

@@ -7,9 +7,8 @@ namespace ps::stability::refraction_total_internal {
 
 /// Rays that leave glass, cosine-weighted over the hemisphere: Snell's law asks for the root of a negative number
 /// beyond the critical angle. Robust: that branch is total reflection.
-static std::vector<StabilityRow> measure_refraction_total_internal(const StabilityRun& run) {
+static void measure_refraction_total_internal(const StabilityRun& run, Rows& rows) {
   const int rays = run.count(1000000);
-  Rows rows(run);
   for (const double index : {1.0, 1.1, 1.33, 1.5, 2.0, 2.4}) {
     run.check();
     std::mt19937 random(run.seed);
@@ -24,7 +23,6 @@ static std::vector<StabilityRow> measure_refraction_total_internal(const Stabili
     }
     rows.push_back({index, "leaving the glass", 100.0 * naive / rays, 100.0 * robust / rays, "% NaN"});
   }
-  return rows;
 }
 
 static constexpr StabilitySeries refraction_total_internal_series[]{
@@ -45,6 +43,6 @@ extern const StabilityExperiment refraction_total_internal{
     .safe = "Index 1.",
     .window = {1, 1},
     .series = refraction_total_internal_series,
-    .measure = measure_refraction_total_internal};
+    .add_rows = measure_refraction_total_internal};
 
 }  // namespace ps::stability::refraction_total_internal

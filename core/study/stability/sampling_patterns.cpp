@@ -30,13 +30,12 @@ double edge_error(SamplePattern pattern, int count, std::optional<double> angle,
   return std::sqrt(sum / trials);
 }
 
-std::vector<StabilityRow> measure_rate(const StabilityRun& run) {
+void measure_rate(const StabilityRun& run, Rows& rows) {
   struct Pair {
     const char* name;
     SamplePattern naive, robust;
     std::optional<double> angle;
   };
-  Rows rows(run);
   for (const Pair& pair : {Pair{"any edge, random and jitter", SamplePattern::random, SamplePattern::jitter, {}},
                            Pair{"any edge, grid and Halton", SamplePattern::grid, SamplePattern::halton, {}},
                            Pair{"vertical edge, grid and Halton", SamplePattern::grid, SamplePattern::halton, 0.0},
@@ -52,7 +51,6 @@ std::vector<StabilityRow> measure_rate(const StabilityRun& run) {
         {0, std::string(pair.name) + ", slope", rate(naive), rate(robust), "exponent of the number of samples"});
   }
   add_sampling_rates(rows, run);
-  return rows;
 }
 
 /// A board of 8 x 8 squares in one pixel, whose mean is 1/2.
@@ -71,15 +69,13 @@ double checker_error(SamplePattern pattern, int count, const StabilityRun& run) 
   return std::sqrt(sum / trials);
 }
 
-std::vector<StabilityRow> measure_moire(const StabilityRun& run) {
-  Rows rows(run);
+void measure_moire(const StabilityRun& run, Rows& rows) {
   for (const int count : {1, 4, 16, 64, 256}) {
     run.check();
     rows.push_back({static_cast<double>(count), "8 x 8 squares in a pixel",
                     checker_error(SamplePattern::grid, count, run), checker_error(SamplePattern::jitter, count, run),
                     "RMSE of the pixel"});
   }
-  return rows;
 }
 
 StabilityPicture fence() {
@@ -162,7 +158,7 @@ extern const StabilityExperiment supersampling_rate{
     .safe = "Any number: the pattern changes the size of the error only.",
     .window = {1, everywhere},
     .series = supersampling_rate_series,
-    .measure = measure_rate,
+    .add_rows = measure_rate,
     .picture = picture_rate,
     .frames = few};
 
@@ -184,7 +180,7 @@ extern const StabilityExperiment grid_moire{
     .safe = "Grids as fine as the pattern: 64 samples here.",
     .window = {64, everywhere},
     .series = grid_moire_series,
-    .measure = measure_moire,
+    .add_rows = measure_moire,
     .picture = picture_moire,
     .frames = few};
 

@@ -53,9 +53,8 @@ std::array<double, 2> acne_on_roof(int size, const std::array<double, 2>& slope_
   return dark;
 }
 
-std::vector<StabilityRow> measure_acne(const StabilityRun& run) {
+void measure_acne(const StabilityRun& run, Rows& rows) {
   const std::string unit = "% of lit floor dark";
-  Rows rows(run);
   for (const int size : {256, 1024, 4096})
     for (const double elevation : {60.0, 30.0, 10.0}) {
       const BallOnFloor ball = ball_on_floor(elevation);
@@ -74,13 +73,11 @@ std::vector<StabilityRow> measure_acne(const StabilityRun& run) {
     }
   const auto [naive, robust] = acne_on_roof(1024, {slope_bias_of_floors(1), slope_bias_of_all(1)}, run);
   rows.push_back({0.5, "1024 texels, leaning roof, slope bias (texels)", naive, robust, "% of lit roof dark"});
-  return rows;
 }
 
-std::vector<StabilityRow> measure_filter(const StabilityRun& run) {
+void measure_filter(const StabilityRun& run, Rows& rows) {
   const BallOnFloor ball = ball_on_floor(30);
   const ShadowMap map = shadow_map_of(ball.scene, 512, run);
-  Rows rows(run);
   for (const int taps : {1, 3, 5, 7}) {
     const double naive = acne(ball, map, {0, 1, taps}, run);
     const double plane = acne(ball, map, run, [&](const Vec3d& point) { return sun_seen_by_plane(map, point, taps); });
@@ -89,7 +86,6 @@ std::vector<StabilityRow> measure_filter(const StabilityRun& run) {
     rows.push_back({static_cast<double>(taps), "sun at 30 degrees, taps on the receiver's plane", naive, plane,
                     "% of lit floor dark"});
   }
-  return rows;
 }
 
 StabilityPicture picture_filter(double taps) {
@@ -142,7 +138,7 @@ extern const StabilityExperiment shadow_map_acne{
     .safe = "A slope bias of half a texel and 1/256 on floors, of 0.71 texels and 1/256 on any surface.",
     .window = {0.05, everywhere},
     .series = shadow_map_acne_series,
-    .measure = measure_acne,
+    .add_rows = measure_acne,
     .picture = picture_acne,
     .frames = biases};
 
@@ -165,7 +161,7 @@ extern const StabilityExperiment pcf_one_tap_bias{
     .safe = "One tap.",
     .window = {1, 1},
     .series = pcf_one_tap_bias_series,
-    .measure = measure_filter,
+    .add_rows = measure_filter,
     .picture = picture_filter,
     .frames = taps};
 

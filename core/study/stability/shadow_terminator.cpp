@@ -91,14 +91,12 @@ TerminatorShares terminator_shares(const BallCut& cut, const StabilityRun& run) 
 
 /// Pixels that their interpolated normal turns to a light, but whose triangle faces away from it, so that their shadow
 /// ray starts into the mesh. The program has no cure of its own; Hanika's is computed at the pixels that are dark.
-std::vector<StabilityRow> measure_terminator(const StabilityRun& run) {
-  Rows rows(run);
+void measure_terminator(const StabilityRun& run, Rows& rows) {
   for (const BallCut& cut : {BallCut{12, 6}, BallCut{20, 10}, BallCut{64, 32}, BallCut{256, 128}}) {
     const TerminatorShares shares = terminator_shares(cut, run);
     rows.push_back({cut.triangles(), "ball with smooth normals", shares.dark, shares.still_dark,
                     "% of pixels lit by their normal that are dark"});
   }
-  return rows;
 }
 
 }  // namespace
@@ -121,6 +119,6 @@ extern const StabilityExperiment shadow_terminator{
     .safe = "Fine meshes: a quarter of a percent at 65,000 triangles.",
     .window = {65000, everywhere},
     .series = shadow_terminator_series,
-    .measure = measure_terminator};
+    .add_rows = measure_terminator};
 
 }  // namespace ps::stability::shadow_terminator

@@ -166,8 +166,7 @@ double wrong_in_random_mesh(bool (*covers)(const Corners&, const Vec2f&), const 
   return painted.holes + painted.doubles;
 }
 
-std::vector<StabilityRow> measure_adversarial(const StabilityRun& run) {
-  Rows rows(run);
+void measure_adversarial(const StabilityRun& run, Rows& rows) {
   for (const int length : {10, 100, 1000}) aim_at_program(rows, length, run);
   for (const Place& place :
        {Place{10, 0, 400000, ""}, {100, 0, 100000, ""}, {1000, 0, 50000, ""}, {10, 16000, 1200000, " at 16,000 px"}})
@@ -175,7 +174,6 @@ std::vector<StabilityRow> measure_adversarial(const StabilityRun& run) {
   for (const Method& method : methods)
     rows.push_back({15, method.name + ", random mesh", wrong_in_random_mesh(method.naive, run),
                     wrong_in_random_mesh(method.robust, run), "holes and doubles, px of 429,025"});
-  return rows;
 }
 
 }  // namespace
@@ -200,6 +198,6 @@ extern const StabilityExperiment fill_rule_adversarial{
     .safe = "Nowhere for edges that pass a sample within an ulp.",
     .window = nowhere_safe,
     .series = fill_rule_adversarial_series,
-    .measure = measure_adversarial};
+    .add_rows = measure_adversarial};
 
 }  // namespace ps::stability::shared_edges

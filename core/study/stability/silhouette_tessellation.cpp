@@ -68,9 +68,8 @@ Outline outline_of(double radius, double max_error) {
   return outline;
 }
 
-std::vector<StabilityRow> measure(const StabilityRun& run) {
+void measure(const StabilityRun&, Rows& rows) {
   constexpr const char* unit = "px off the circle";
-  Rows rows(run);
   for (const double radius : {10.0, 50.0, 100.0, 200.0, 500.0, 1000.0}) {
     const Outline program = outline_of(radius, half_a_pixel);
     for (const int segments : {10, 20, 45, 100}) {
@@ -83,7 +82,6 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
     rows.push_back({radius, "segments for half a pixel, by radius: closed form beside the program's", enough,
                     program.segments, "segments"});
   }
-  return rows;
 }
 
 /// A ball of 128 px in an orthographic picture.
@@ -130,7 +128,7 @@ extern const StabilityExperiment silhouette_tessellation{
     .safe = "100 segments up to a radius of 1,000 pixels.",
     .window = {100, everywhere},
     .series = silhouette_tessellation_series,
-    .measure = measure,
+    .add_rows = measure,
     .picture = picture,
     .frames = frames};
 

@@ -73,8 +73,7 @@ bool meets(const Case& c) {
   return near_num * far_den <= far_num * near_den;
 }
 
-std::vector<StabilityRow> measure_false_miss(const StabilityRun& run) {
-  Rows rows(run);
+void measure_false_miss(const StabilityRun& run, Rows& rows) {
   for (const int dimensions : {3, 2, 1}) {
     run.check();
     Random random(run.seed);
@@ -93,7 +92,6 @@ std::vector<StabilityRow> measure_false_miss(const StabilityRun& run) {
       rows.push_back({static_cast<double>(dimensions), names[i], per_million(missed_by[i], met), per_million(lost, met),
                       "false misses per million"});
   }
-  return rows;
 }
 
 /// Which zeros the directions have, and in how many sides' planes the rays run.
@@ -141,7 +139,7 @@ bool slabs(const Case& c, Sort sort, Combine combine) {
   return near <= far;
 }
 
-std::vector<StabilityRow> measure_nan_slab(const StabilityRun& run) {
+void measure_nan_slab(const StabilityRun&, Rows& rows) {
   const auto new_first = [](const Case& c) { return naive(c, Ending::closed); };
   const auto old_first = [](const Case& c) {
     const auto by_min_max = [](float& t0, float& t1) {
@@ -161,7 +159,6 @@ std::vector<StabilityRow> measure_nan_slab(const StabilityRun& run) {
       if (t1 < far) far = t1;
     });
   };
-  Rows rows(run);
   const auto add = [&](double knob, const char* series, const PlaneRays& rays, const auto& combine) {
     rows.push_back({knob, series, missed(rays, combine), missed(rays, robust), "% of touched boxes missed"});
   };
@@ -171,7 +168,6 @@ std::vector<StabilityRow> measure_nan_slab(const StabilityRun& run) {
   add(0, "max(near, t0), in the plane of one side", {}, old_first);
   add(1, "swap if t0 > t1, direction +0", {true, false, 2}, swap_if);
   add(-1, "swap if t0 > t1, direction -0", {false, true, 2}, swap_if);
-  return rows;
 }
 
 }  // namespace
@@ -197,7 +193,7 @@ extern const StabilityExperiment slab_test_false_miss{
     .safe = "Nowhere for boxes that touch.",
     .window = nowhere_safe,
     .series = slab_test_false_miss_series,
-    .measure = measure_false_miss};
+    .add_rows = measure_false_miss};
 
 static constexpr StabilitySeries zero_inf_nan_slab_series[]{
     {.names = "*", .title = "touched boxes that are missed", .unit = "%"},
@@ -217,6 +213,6 @@ extern const StabilityExperiment zero_inf_nan_slab{
     .safe = "Directions without a zero component.",
     .window = nowhere_safe,
     .series = zero_inf_nan_slab_series,
-    .measure = measure_nan_slab};
+    .add_rows = measure_nan_slab};
 
 }  // namespace ps::stability::slab_tests

@@ -10,10 +10,9 @@
 namespace ps::stability::smooth_shading {
 namespace {
 
-std::vector<StabilityRow> measure_gouraud(const StabilityRun& run) {
+void measure_gouraud(const StabilityRun& run, Rows& rows) {
   const Settings gouraud{.shading = Shading::gouraud}, phong{}, flat{.shading = Shading::flat};
   const BallErrors errors(50, run);
-  Rows rows(run);
   for (const BallCut& cut :
        {BallCut{8, 4}, BallCut{20, 10}, BallCut{32, 16}, BallCut{64, 32}, BallCut{128, 64}, BallCut{256, 128}}) {
     const Mesh mesh = make_uv_sphere({cut.slices, cut.stacks});
@@ -30,11 +29,9 @@ std::vector<StabilityRow> measure_gouraud(const StabilityRun& run) {
     rows.push_back({cut.triangles(), "error, exponent 50", errors.rmse(mesh, gouraud), robust, "RMSE, levels"});
     rows.push_back({cut.triangles(), "error, one light for a facet", errors.rmse(mesh, flat), robust, "RMSE, levels"});
   }
-  return rows;
 }
 
-std::vector<StabilityRow> measure_unnormalised(const StabilityRun& run) {
-  Rows rows(run);
+void measure_unnormalised(const StabilityRun& run, Rows& rows) {
   for (const int degrees : {5, 10, 20, 30, 60, 90}) {
     const Mesh mesh = make_uv_sphere({360 / degrees, 180 / degrees});
     for (const int exponent : {50, 500}) {
@@ -54,7 +51,6 @@ std::vector<StabilityRow> measure_unnormalised(const StabilityRun& run) {
     rows.push_back({degrees, "(N.H)^50 without division by lengths", std::pow(dot(middle, brought_back), 50),
                     std::pow(dot(brought_back, brought_back), 50), "of the peak is kept"});
   }
-  return rows;
 }
 
 /// The book's model of a sphere, of rings of as many quadrilaterals each.
@@ -115,7 +111,7 @@ extern const StabilityExperiment gouraud_highlight{
     .safe = "Triangles much smaller than the highlight: 65,000 keep 98 % of a peak of exponent 50.",
     .window = {65000, everywhere},
     .series = gouraud_highlight_series,
-    .measure = measure_gouraud,
+    .add_rows = measure_gouraud,
     .picture = picture_gouraud,
     .frames = triangles};
 
@@ -141,7 +137,7 @@ extern const StabilityExperiment unnormalised_interpolated_normals{
     .safe = "Up to 5 degrees: at most 6 of 255 levels.",
     .window = {0, 5},
     .series = unnormalised_interpolated_normals_series,
-    .measure = measure_unnormalised,
+    .add_rows = measure_unnormalised,
     .picture = picture_unnormalised,
     .frames = angles};
 

@@ -9,6 +9,7 @@
 #include "raster/base/edge_function.h"
 #include "scene/generate/uv_sphere.h"
 #include "study/stability/jittered_mesh.h"
+#include "study/stability/plain_scene.h"
 
 namespace ps::stability::snapped_corners {
 namespace {
@@ -59,8 +60,7 @@ ByBits wrong_owners(double leg, int meshes, const StabilityRun& run) {
   return changed;
 }
 
-std::vector<StabilityRow> measure_bits(const StabilityRun& run) {
-  Rows rows(run);
+void measure_bits(const StabilityRun& run, Rows& rows) {
   for (const double leg : {171.0, 17.7, 5.2, 2.6, 1.3}) {
     // Large triangles have few edges: of one such mesh 8 bits change two pixels.
     const ByBits wrong = wrong_owners(leg, leg > 100 ? run.count(8) : 1, run);
@@ -69,23 +69,12 @@ std::vector<StabilityRow> measure_bits(const StabilityRun& run) {
       rows.push_back(
           {static_cast<double>(tried_bits[k]), series, wrong[k], wrong.back(), "% of px given to another triangle"});
   }
-  return rows;
 }
 
 /// A ball of radius 1 at a distance of 5 from the book's camera. Its rings run along rows of pixels, so one rounding
 /// may move a whole row of edges at once.
 Scene ball(int slices) {
-  Mesh mesh = make_uv_sphere({slices, slices / 2 + 1});
-  mesh.materials = {0};
-  Geometry geometry;
-  geometry.meshes = {std::make_shared<Mesh>(std::move(mesh))};
-  Instance instance;
-  instance.transform.translation = {0, 0, 5};
-  geometry.objects.push_back({"ball", instance});
-  Scene scene;
-  scene.geometry = Part<Geometry>(std::move(geometry));
-  scene.materials = Part<std::vector<Material>>({Material{}});
-  return scene;
+  return plain_scene("ball", make_uv_sphere({slices, slices / 2 + 1}), {.translation = {0, 0, 5}});
 }
 
 /// A ball's triangles as rays find them, against those of fragments.
@@ -123,8 +112,7 @@ class Agreement {
   Image<PixelId> traced_;
 };
 
-std::vector<StabilityRow> measure_agreement(const StabilityRun& run) {
-  Rows rows(run);
+void measure_agreement(const StabilityRun& run, Rows& rows) {
   Agreement ball(80, run);
   const double robust = ball.differing(12);
   for (const int bits : {0, 2, 4, 8, 12})
@@ -142,7 +130,6 @@ std::vector<StabilityRow> measure_agreement(const StabilityRun& run) {
       rows.push_back({static_cast<double>(bits), series, percent(other.differing(bits), other.covered()), finest,
                       "% of px with another triangle"});
   }
-  return rows;
 }
 
 StabilityPicture picture_bits(double bits) {
@@ -175,7 +162,7 @@ extern const StabilityExperiment sub_pixel_bits{
     .safe = "8 bits: 0.2 % of the pixels with triangles of one pixel.",
     .window = {8, everywhere},
     .series = sub_pixel_bits_series,
-    .measure = measure_bits,
+    .add_rows = measure_bits,
     .picture = picture_bits,
     .frames = frames};
 
@@ -198,7 +185,7 @@ extern const StabilityExperiment ray_vs_raster_agreement{
     .safe = "8 bits and the same sample position.",
     .window = {8, everywhere},
     .series = ray_vs_raster_agreement_series,
-    .measure = measure_agreement,
+    .add_rows = measure_agreement,
     .picture = picture_bits,
     .frames = frames};
 

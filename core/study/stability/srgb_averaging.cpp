@@ -35,9 +35,8 @@ Means means(int white) {
 }  // namespace
 
 /// A pixel of which white covers a share and black the rest: both means against the level of that share of the light.
-static std::vector<StabilityRow> measure_srgb_averaging(const StabilityRun& run) {
+static void measure_srgb_averaging(const StabilityRun& run, Rows& rows) {
   run.check();
-  Rows rows(run);
   for (const int white : {1, 5, 10, 24, 25, 50, 75, 90, 99}) {
     const double right = level_of(white / 100.0), knob = white;
     const Means mean = means(white);
@@ -46,7 +45,6 @@ static std::vector<StabilityRow> measure_srgb_averaging(const StabilityRun& run)
     rows.push_back(
         {knob, "white over black, level shown", std::round(mean.of_levels), std::round(mean.of_light), "level of 255"});
   }
-  return rows;
 }
 
 static constexpr StabilitySeries srgb_averaging_series[]{
@@ -71,6 +69,6 @@ extern const StabilityExperiment srgb_averaging{
     .safe = "Between equal levels only.",
     .window = nowhere_safe,
     .series = srgb_averaging_series,
-    .measure = measure_srgb_averaging};
+    .add_rows = measure_srgb_averaging};
 
 }  // namespace ps::stability::srgb_averaging

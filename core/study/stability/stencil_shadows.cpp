@@ -19,21 +19,17 @@ StabilityRow passed_and_failed(double knob, const char* series, const Scene& sce
           "% of floor pixels wrong"};
 }
 
-std::vector<StabilityRow> measure_inside(const StabilityRun& run) {
-  Rows rows(run);
+void measure_inside(const StabilityRun& run, Rows& rows) {
   for (const double z : {-8.0, -6.0, -4.0, -3.0, -1.5, 0.0}) {
     const Scene scene = parse_scene(roof_text(z), "roof", ".");
     rows.push_back(passed_and_failed(z, "under a roof of 4 x 4", scene, 0.05, run));
   }
-  return rows;
 }
 
-std::vector<StabilityRow> measure_near(const StabilityRun& run) {
-  Rows rows(run);
+void measure_near(const StabilityRun& run, Rows& rows) {
   const Scene scene = parse_scene(roof_text(-2.05), "roof", ".");
   for (const double near : {0.01, 0.03, 0.1, 0.3, 0.6})
     rows.push_back(passed_and_failed(near, "camera 0.05 before the shadow", scene, near, run));
-  return rows;
 }
 
 /// `boards` over one place, in the light from above.
@@ -72,15 +68,13 @@ double lit_share(int boards, int bits, const StabilityRun& run) {
   return percent(lit, dark);
 }
 
-std::vector<StabilityRow> measure_wrap(const StabilityRun& run) {
-  Rows rows(run);
+void measure_wrap(const StabilityRun& run, Rows& rows) {
   for (const int boards : {1, 8, 15, 16, 17, 32})
     rows.push_back({static_cast<double>(boards), "4 bits", lit_share(boards, 4, run), lit_share(boards, 16, run),
                     "% of shadow pixels lit"});
   for (const int boards : {255, 256, 257})
     rows.push_back({static_cast<double>(boards), "8 bits", lit_share(boards, 8, run), lit_share(boards, 16, run),
                     "% of shadow pixels lit"});
-  return rows;
 }
 
 StabilityPicture picture_inside(double z) {
@@ -126,7 +120,7 @@ extern const StabilityExperiment z_pass_in_volume{
     .safe = "Cameras outside every volume.",
     .window = {nowhere, -2.5},
     .series = z_pass_in_volume_series,
-    .measure = measure_inside,
+    .add_rows = measure_inside,
     .picture = picture_inside,
     .frames = places};
 
@@ -147,7 +141,7 @@ extern const StabilityExperiment near_plane_cuts_volume{
     .safe = "Near planes that stay outside every volume.",
     .window = {nowhere, 0.03},
     .series = near_plane_cuts_volume_series,
-    .measure = measure_near,
+    .add_rows = measure_near,
     .picture = picture_near,
     .frames = nears};
 
@@ -168,7 +162,7 @@ extern const StabilityExperiment stencil_bits_wrap{
     .safe = "Fewer than 2^bits overlapping volumes.",
     .window = {nowhere, 15},
     .series = stencil_bits_wrap_series,
-    .measure = measure_wrap,
+    .add_rows = measure_wrap,
     .picture = picture_wrap,
     .frames = boards};
 

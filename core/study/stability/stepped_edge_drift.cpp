@@ -18,8 +18,7 @@ struct RowSink {
 
 /// Triangles anywhere on a canvas, covered by the program with each edge arithmetic: how many pixels change sides
 /// against exact integers, for each pixel that an edge passes through. 64 rows of each canvas are looked at.
-std::vector<StabilityRow> measure(const StabilityRun& run) {
-  Rows rows(run);
+void measure(const StabilityRun& run, Rows& rows) {
   constexpr int rows_looked_at = 64;
   for (const int canvas : {1024, 4096, 16384}) {
     Random random(run.seed);
@@ -61,7 +60,6 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
     rows.push_back({static_cast<double>(canvas), "triangles on the canvas", naive / edge_pixels, robust / edge_pixels,
                     "wrong px per edge px"});
   }
-  return rows;
 }
 
 }  // namespace
@@ -83,6 +81,6 @@ extern const StabilityExperiment stepped_edge_drift{
     .safe = "Canvases up to 1,000 pixels for one pixel in a thousand.",
     .window = {nowhere, 1024},
     .series = stepped_edge_drift_series,
-    .measure = measure};
+    .add_rows = measure};
 
 }  // namespace ps::stability::stepped_edge_drift

@@ -50,7 +50,7 @@ class Rows {
     rows_.push_back(std::move(row));
     run_.check();
   }
-  operator std::vector<StabilityRow>() const { return rows_; }
+  std::vector<StabilityRow> take() { return std::move(rows_); }
 
  private:
   const StabilityRun& run_;

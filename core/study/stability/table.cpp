@@ -12,7 +12,7 @@
 #include "base/word_search.h"
 #include "render/renderer_table.h"
 #include "scene/scene.h"
-#include "study/stability/experiment.h"
+#include "study/stability/support.h"
 
 namespace ps {
 
@@ -94,6 +94,12 @@ std::string_view set_up_text(SetUp set_up) {
     break;
   }
   return "";
+}
+
+std::vector<StabilityRow> StabilityExperiment::measure(const StabilityRun& run) const {
+  stability::Rows rows(run);
+  add_rows(run, rows);
+  return rows.take();
 }
 
 std::string stability_csv(std::span<const StabilityRow> rows) {

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "scene/generate/displaced_sphere.h"
+#include "study/stability/plain_scene.h"
 #include "study/stability/support.h"
 
 namespace ps::stability::tree_growth {
@@ -9,16 +10,9 @@ namespace {
 
 /// A bumpy ball of 12 divisions^2 triangles, seen so near that every ray meets it.
 Scene ball_of(int divisions) {
-  Mesh mesh = make_displaced_sphere({.divisions = divisions});
-  mesh.materials = {0};
-  Geometry geometry;
-  geometry.meshes.push_back(std::make_shared<const Mesh>(std::move(mesh)));
-  geometry.objects.push_back({"ball", Instance{}});
-  Scene scene;
+  Scene scene = plain_scene("ball", make_displaced_sphere({.divisions = divisions}));
   scene.camera.position = {0, 0, -3};
   scene.camera.viewport_width = scene.camera.viewport_height = 0.4;
-  scene.geometry = Part<Geometry>(std::move(geometry));
-  scene.materials = Part<std::vector<Material>>({Material{}});
   return scene;
 }
 
@@ -42,8 +36,7 @@ struct GrowingTree {
   double before = 0;  ///< its work for a quarter of the triangles
 };
 
-std::vector<StabilityRow> measure_trees(const StabilityRun& run) {
-  Rows rows(run);
+void measure_trees(const StabilityRun& run, Rows& rows) {
   std::array trees{GrowingTree{"bounding-volume hierarchy", Accelerator::bvh},
                    GrowingTree{"octree", Accelerator::octree},
                    GrowingTree{"bounding spheres", Accelerator::bounding_spheres}};
@@ -62,7 +55,6 @@ std::vector<StabilityRow> measure_trees(const StabilityRun& run) {
     }
     all_before = all;
   }
-  return rows;
 }
 
 }  // namespace
@@ -88,6 +80,6 @@ extern const StabilityExperiment tree_growth{
     .safe = "A dozen triangles: there a tree saves little.",
     .window = {0, 12},
     .series = tree_growth_series,
-    .measure = measure_trees};
+    .add_rows = measure_trees};
 
 }  // namespace ps::stability::tree_growth

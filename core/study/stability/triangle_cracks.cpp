@@ -44,8 +44,7 @@ void add_far_sphere(Rows& rows, const StabilityRun& run) {
   rows.push_back({32, "far sphere, at edges, misses", naive, robust, "of 40,000 rays"});
 }
 
-std::vector<StabilityRow> measure_edge_cracks(const StabilityRun& run) {
-  Rows rows(run);
+void measure_edge_cracks(const StabilityRun& run, Rows& rows) {
   for (const AimAt what : {AimAt::edge, AimAt::vertex, AimAt::interior}) {
     const std::string where = name_of(what);
     std::vector<TriangleHits> tests{watertight_hits, moeller_trumbore_hits<float>(0, 0),
@@ -61,11 +60,9 @@ std::vector<StabilityRow> measure_edge_cracks(const StabilityRun& run) {
     add_cracks(rows, 32, "triangle-test = cross-products, " + where, rates[6], rates[0]);
   }
   add_far_sphere(rows, run);
-  return rows;
 }
 
-std::vector<StabilityRow> measure_tolerance(const StabilityRun& run) {
-  Rows rows(run);
+void measure_tolerance(const StabilityRun& run, Rows& rows) {
   const auto add = [&](AimAt what, const std::vector<float>& tolerances) {
     std::vector<TriangleHits> tests{watertight_hits};
     for (const float tolerance : tolerances) tests.push_back(moeller_trumbore_hits<float>(0, tolerance));
@@ -76,7 +73,6 @@ std::vector<StabilityRow> measure_tolerance(const StabilityRun& run) {
   add(AimAt::edge, {0.0f, 1e-7f, 1e-6f, 1e-5f, 1e-4f});
   add(AimAt::vertex, {0.0f, 1e-6f, 1e-5f, 1e-4f});
   add(AimAt::interior, {1e-5f});
-  return rows;
 }
 
 /// Rays of length 1 at the edges of a sphere of triangles, from its centre: the percentage that escapes each test.
@@ -100,8 +96,7 @@ std::vector<double> escaped(double radius, const std::vector<TriangleHits>& test
   return misses;
 }
 
-std::vector<StabilityRow> measure_determinant(const StabilityRun& run) {
-  Rows rows(run);
+void measure_determinant(const StabilityRun& run, Rows& rows) {
   const std::vector<TriangleHits> tests{watertight_hits, moeller_trumbore_hits<float>(1e-7f, 1e-10f),
                                         moeller_trumbore_hits<float>(1e-8f, 1e-10f)};
   for (const double radius : {2.0, 0.05, 0.02, 0.01, 0.001}) {
@@ -109,7 +104,6 @@ std::vector<StabilityRow> measure_determinant(const StabilityRun& run) {
     rows.push_back({radius, "epsilon 1e-7", lost[1], lost[0], "% of rays lost"});
     rows.push_back({radius, "epsilon 1e-8", lost[2], lost[0], "% of rays lost"});
   }
-  return rows;
 }
 
 }  // namespace
@@ -142,7 +136,7 @@ extern const StabilityExperiment triangle_edge_cracks{
     .safe = "Nowhere for rays that are aimed at edges; random rays meet three cracks in a million.",
     .window = nowhere_safe,
     .series = triangle_edge_cracks_series,
-    .measure = measure_edge_cracks};
+    .add_rows = measure_edge_cracks};
 
 static constexpr StabilitySeries mt_tolerance_series[]{
     {.names = "at edges, misses|*misses", .title = "rays that slip through", .unit = "per million"},
@@ -163,7 +157,7 @@ extern const StabilityExperiment mt_tolerance{
     .safe = "Nowhere: 1e-4 leaves ten misses in a million rays at edges and makes all others hit twice.",
     .window = nowhere_safe,
     .series = mt_tolerance_series,
-    .measure = measure_tolerance};
+    .add_rows = measure_tolerance};
 
 static constexpr StabilitySeries absolute_det_epsilon_series[]{
     {.names = "epsilon 1e-7|*", .title = "rays that are lost", .unit = "%"},
@@ -182,6 +176,6 @@ extern const StabilityExperiment absolute_det_epsilon{
     .safe = "Triangles with areas far above the epsilon; the losses that remain are cracks at edges.",
     .window = {1, everywhere},
     .series = absolute_det_epsilon_series,
-    .measure = measure_determinant};
+    .add_rows = measure_determinant};
 
 }  // namespace ps::stability::triangle_cracks

@@ -56,7 +56,7 @@ Image<std::uint32_t> dark_pixels(double distance, const Settings& settings, doub
 
 /// What the ball shadows of itself, of what is lit at the origin. A pixel that sees past the ball where numbers are
 /// coarse is not counted: that is another fault.
-std::vector<StabilityRow> measure(const StabilityRun& run) {
+void measure(const StabilityRun& run, Rows& rows) {
   Settings exact;
   exact.precision = Precision::float64;
   const auto truth = dark_pixels(0, exact, 0, run);
@@ -69,7 +69,6 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
     }
     return percent(wrong, lit);
   };
-  Rows rows(run);
   for (const double distance : {0.0, 10.0, 1e3, 1e4, 1e5, 1e6}) {
     // The place itself is rounded by up to half a step of the numbers there, a thirty-second of the radius at 1e6:
     // edge-on it may lie in shadow indeed.
@@ -80,7 +79,6 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
                       share(dark_pixels(distance, with_epsilon(epsilon), 0, run)), robust,
                       "% of lit pixels in their own shadow"});
   }
-  return rows;
 }
 
 StabilityPicture picture(double distance) {
@@ -111,7 +109,7 @@ extern const StabilityExperiment world_offset_sphere_acne{
     .safe = "Up to 10 units for 0.001, or anywhere with camera-relative = on.",
     .window = {nowhere, 10},
     .series = world_offset_sphere_acne_series,
-    .measure = measure,
+    .add_rows = measure,
     .picture = picture,
     .frames = frames};
 

@@ -22,8 +22,7 @@ Settings without_caps(Settings settings) {
   return settings;
 }
 
-std::vector<StabilityRow> measure(const StabilityRun& run) {
-  Rows rows(run);
+void measure(const StabilityRun& run, Rows& rows) {
   const Scene from_outside = parse_scene(roof_text(outside), "roof", "."),
               from_inside = parse_scene(roof_text(inside), "roof", ".");
   const auto add = [&](double knob, const char* series, const Scene& scene, const Settings& naive,
@@ -45,7 +44,6 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
     cut.volume_depth_clamp = false;
     add(far, "far plane", from_outside, cut, clamped);
   }
-  return rows;
 }
 
 StabilityPicture picture(double length) {
@@ -81,7 +79,7 @@ extern const StabilityExperiment z_fail_caps{
     .safe = "Closed volumes that reach beyond everything, with a far plane at infinity.",
     .window = nowhere_safe,
     .series = z_fail_caps_series,
-    .measure = measure,
+    .add_rows = measure,
     .picture = picture,
     .frames = frames};
 
