@@ -8,6 +8,7 @@
 #include "inspect/space_parts.h"
 #include "options/renderer_kind.h"
 #include "raytrace/base/accelerators.h"
+#include "render/story/story_tree.h"
 
 namespace ps {
 namespace {
@@ -119,8 +120,8 @@ SpaceTree add_tree(const Scene& scene, const Settings& settings, const PixelStor
                               : nodes_of_tree<float>(scene, settings, prepared, most);
   std::set<int> asked;
   if (story)
-    for (const Event& event : story->events)
-      if (const auto* node = std::get_if<NodeEvent>(&event.data); node && node->object < 0) asked.insert(node->node);
+    for (const auto* node : events_of<NodeEvent>(story->events))
+      if (node->object < 0) asked.insert(node->node);
   std::size_t drawn = asked.size();
   for (const DrawnNode& node : nodes.list) {
     if (drawn >= most) break;

@@ -125,8 +125,8 @@ void Microscope::find_ray_samples(Prepared& prepared, Progress& progress) {
 /// story does not have.
 void Microscope::find_driver_sample(Prepared& prepared, Progress& progress) {
   const PixelStory story = inspect(scene_, view_, settings_, pixel_, prepared, progress);
-  for (const Event& event : story.events)
-    if (const auto* fragment = std::get_if<FragmentEvent>(&event.data); fragment && fragment->samples > 1) return;
+  for (const auto* fragment : events_of<FragmentEvent>(story.events))
+    if (fragment->samples > 1) return;
   const PixelId seen = shown_triangle(story);
   samples_.push_back({make_viewport<double>(view_, settings_).sample, seen.object >= 0,
                       seen.object < 0 ? nothing_seen : primitive_name(scene_, seen), event_of_shown(story)});

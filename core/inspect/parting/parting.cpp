@@ -123,11 +123,10 @@ std::optional<Parting> part_at_canvas(const StoryPair& c) {
 int count_writes(const PixelStory& story) {
   int count = 0;
   PixelId last;
-  for (const Event& event : story.events)
-    if (const auto* write = std::get_if<WriteEvent>(&event.data)) {
-      count = write->id == last ? count + 1 : 1;
-      last = write->id;
-    }
+  for (const auto* write : events_of<WriteEvent>(story.events)) {
+    count = write->id == last ? count + 1 : 1;
+    last = write->id;
+  }
   return count;
 }
 

@@ -10,6 +10,17 @@ namespace ps {
 /// The ray that event `index` belongs to: its nearest ancestor that is a RayEvent, or -1.
 int ray_of(const std::vector<Event>& events, int index);
 
+/// All events of type T, in order. They lie in the list, which must not be a temporary one.
+template <class T>
+std::vector<const T*> events_of(const std::vector<Event>& events) {
+  std::vector<const T*> found;
+  for (const Event& event : events)
+    if (const auto* one = std::get_if<T>(&event.data)) found.push_back(one);
+  return found;
+}
+template <class T>
+std::vector<const T*> events_of(std::vector<Event>&& events) = delete;
+
 /// Events of type T that belong directly to ray `ray` (-1: to no ray), in order, as indices.
 template <class T>
 std::vector<int> events_of_ray(const std::vector<Event>& events, int ray) {

@@ -23,14 +23,6 @@ std::string joined(const std::vector<std::string>& parts) {
   return text;
 }
 
-template <class T>
-std::size_t count_events(const std::vector<Event>& events) {
-  std::size_t count = 0;
-  for (const Event& event : events)
-    if (std::holds_alternative<T>(event.data)) ++count;
-  return count;
-}
-
 /// The part of a light that reaches a point where it is blocked, wholly or in part.
 std::string shadow_remark(int light, double visible) {
   return visible > 0 ? fmt::format("{} % of light {} reaches it", number_text(100 * visible), light)
@@ -92,11 +84,10 @@ std::string ray_verdict(const PixelStory& story, const Scene& scene, int eye) {
   if (hit.back_face) parts.push_back("seen from behind");
   add_light_remarks(story, scene, eye, hit.id, parts);
   std::size_t bounces = 0, refractions = 0;
-  for (const Event& event : events)
-    if (const auto* ray = std::get_if<RayEvent>(&event.data)) {
-      if (ray->kind == RayKind::reflection) ++bounces;
-      if (ray->kind == RayKind::refraction) ++refractions;
-    }
+  for (const auto* ray : events_of<RayEvent>(events)) {
+    if (ray->kind == RayKind::reflection) ++bounces;
+    if (ray->kind == RayKind::refraction) ++refractions;
+  }
   if (bounces > 0) parts.push_back(plural(bounces, "bounce", "bounces"));
   if (refractions > 0) parts.push_back(plural(refractions, "refraction", "refractions"));
   return joined(parts);
@@ -107,9 +98,8 @@ void add_rejections(const PixelStory& story, bool with_uncovered, std::vector<st
   for (const RejectReason reason : all_reject_reasons) {
     if (reason == RejectReason::not_covered && !with_uncovered) continue;
     std::size_t count = 0;
-    for (const Event& event : story.events)
-      if (const auto* reject = std::get_if<RejectEvent>(&event.data))
-        if (reject->reason == reason) ++count;
+    for (const auto* reject : events_of<RejectEvent>(story.events))
+      if (reject->reason == reason) ++count;
     if (count > 0) parts.push_back(reject_count_text(reason, count));
   }
 }
@@ -137,15 +127,14 @@ void add_fragment_remarks(const PixelStory& story, std::size_t writes, std::vect
   std::size_t failed = 0;
   bool depth_off = false;
   bool shaded_later = false;
-  for (const Event& event : story.events)
-    if (const auto* fragment = std::get_if<FragmentEvent>(&event.data)) {
-      if (fragment->pass == FragmentEvent::Pass::shading) {
-        shaded_later = true;
-        continue;
-      }
-      if (fragment->depth == FragmentEvent::Depth::failed) ++failed;
-      if (fragment->depth == FragmentEvent::Depth::off) depth_off = true;
+  for (const auto* fragment : events_of<FragmentEvent>(story.events)) {
+    if (fragment->pass == FragmentEvent::Pass::shading) {
+      shaded_later = true;
+      continue;
     }
+    if (fragment->depth == FragmentEvent::Depth::failed) ++failed;
+    if (fragment->depth == FragmentEvent::Depth::off) depth_off = true;
+  }
   if (shaded_later)
     parts.push_back("shaded after the depth pass" + (writes > 1 ? fmt::format(", in {} passes", writes) : ""));
   else
@@ -225,7 +214,8 @@ std::string fragment_verdict(const PixelStory& story, const Scene& scene) {
   if (write) add_shadow_remarks(story, parts);
   if (const std::string behind = winner_behind_camera(story); !behind.empty())
     parts.push_back("it was not clipped, " + behind);
-  add_fragment_remarks(story, count_events<WriteEvent>(story.events) + count_events<LineEvent>(story.events), parts);
+  add_fragment_remarks(story, events_of<WriteEvent>(story.events).size() + events_of<LineEvent>(story.events).size(),
+                       parts);
   add_rejections(story, false, parts);
   return joined(parts);
 }
