@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "base/check.h"
+#include "base/enumerators.h"
 #include "base/kept_inputs.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
@@ -44,7 +45,7 @@ ChartRequest make_request(const ChartArguments& arguments) {
   if (!arguments.region.empty()) request.error.region = parse_region_text(arguments.region);
   request.reference = {arguments.reference, arguments.samples};
   request.machinery = arguments.as_used ? MachineryRule::as_used : MachineryRule::same;
-  request.across = parse_chart_across(arguments.across);
+  request.across = parse_enumerator<ChartAcross>("across", arguments.across);
   request.repeats = arguments.repeats;
   request.folder = arguments.output;
   bool model = std::find(arguments.sweeps.begin(), arguments.sweeps.end(), model_sweep_key) != arguments.sweeps.end();
@@ -129,7 +130,7 @@ int run_merge(const ChartArguments& arguments) {
   if (arguments.folders.empty()) throw InputError("chart merge: found no folder, expected those of the shards");
   Chart chart =
       merge_charts({arguments.folders.begin(), arguments.folders.end()}, parse_error_metric(arguments.metric));
-  chart.across = parse_chart_across(arguments.across);
+  chart.across = parse_enumerator<ChartAcross>("across", arguments.across);
   summarise(chart, chart.metric);
   std::filesystem::create_directories(arguments.output);
   write_chart(arguments.output, chart);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "base/enumerators.h"
 #include "base/spelling.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
@@ -62,7 +63,7 @@ Document document_for(const ListingArguments& arguments, const NamedListing& lis
 void print_messages(const Compilation& compilation, const std::string& file) {
   for (const CompilerMessage& message : compilation.messages) {
     const std::string place = message.line > 0 ? fmt::format("{}:{}:{}: ", file, message.line, message.column) : "";
-    fmt::print("{}{}: {}\n", place, message_word(message.kind), message.text);
+    fmt::print("{}{}: {}\n", place, enumerator_key(message.kind), message.text);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/check.h"
+#include "base/enumerators.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/scene_arguments.h"
@@ -49,25 +50,13 @@ nlohmann::ordered_json match_json(const MissingMatch& match) {
           {"equal", match.equal},  {"within-one", match.near},      {"mean", match.mean}};
 }
 
-std::string_view verdict_key(MissingFeature::Verdict verdict) {
-  switch (verdict) {
-  case MissingFeature::Verdict::nothing_missing:
-    return "nothing-missing";
-  case MissingFeature::Verdict::found:
-    return "found";
-  case MissingFeature::Verdict::unexplained:
-    return "unexplained";
-  }
-  return "";
-}
-
 void print_json(const MissingArguments& arguments, const MissingFeature& found, const std::optional<PixelAnswer>& pixel,
                 const nlohmann::ordered_json& made) {
   nlohmann::ordered_json json{
-      {"scene", arguments.scene.scene},        {"file", arguments.file},
-      {"verdict", verdict_key(found.verdict)}, {"sentence", missing_sentence(found, arguments.file)},
-      {"as-is", match_json(found.as_is)},      {"best", match_json(found.best)},
-      {"candidates", found.candidates},        {"renders", found.renders}};
+      {"scene", arguments.scene.scene},           {"file", arguments.file},
+      {"verdict", enumerator_key(found.verdict)}, {"sentence", missing_sentence(found, arguments.file)},
+      {"as-is", match_json(found.as_is)},         {"best", match_json(found.best)},
+      {"candidates", found.candidates},           {"renders", found.renders}};
   json["alone"] = nlohmann::ordered_json::array();
   for (const MissingMatch& match : found.single) json["alone"].push_back(match_json(match));
   if (pixel) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/check.h"
+#include "base/enumerators.h"
 #include "base/extension.h"
 #include "base/kept_inputs.h"
 #include "base/number_text.h"
@@ -71,7 +72,7 @@ void print_json(const Document& document, const ModelRequest& request, const Mod
                {"rmse", needs.change.rmse}});
   json["savings"] = nlohmann::ordered_json::array();
   for (const ModelSaving* saving : greatest_first(needs)) {
-    nlohmann::ordered_json row{{"part", model_part_key(saving->part)}, {"goes", saving->goes},
+    nlohmann::ordered_json row{{"part", enumerator_key(saving->part)}, {"goes", saving->goes},
                                {"work_share", saving->work},           {"byte_share", saving->bytes},
                                {"increase", saving->change.increase},  {"rmse", saving->change.rmse}};
     row["items"] = nlohmann::ordered_json::array();

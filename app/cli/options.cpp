@@ -3,6 +3,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/enumerators.h"
 #include "cli/command.h"
 #include "options/option.h"
 #include "study/reference.h"
@@ -12,41 +13,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string_view kind_key(OptionKind kind) {
-  switch (kind) {
-  case OptionKind::boolean:
-    return "boolean";
-  case OptionKind::integer:
-    return "integer";
-  case OptionKind::real:
-    return "real";
-  case OptionKind::choice:
-    return "choice";
-  }
-  return "";
-}
-
-std::string_view effect_key(OptionEffect effect) {
-  switch (effect) {
-  case OptionEffect::picture:
-    return "picture";
-  case OptionEffect::display:
-    return "display";
-  case OptionEffect::speed:
-    return "speed";
-  }
-  return "";
-}
-
 bool has_range(const Option& option) { return option.kind == OptionKind::integer || option.kind == OptionKind::real; }
 
 Json option_json(const Option& option) {
   Json json{{"key", option.key},
             {"label", option.label},
             {"group", option.group},
-            {"kind", kind_key(option.kind)},
+            {"kind", enumerator_key(option.kind)},
             {"default", option_text(option, Settings{})},
-            {"effect", effect_key(option.effect)},
+            {"effect", enumerator_key(option.effect)},
             {"help", {{"what", option.help.what}, {"source", option.help.source}, {"fails", option.help.fails}}},
             {"truth", truth_text(option)}};
   for (const Choice& choice : option.choices)

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "base/enumerators.h"
 #include "base/spelling.h"
 #include "engine/figure_kinds.h"
 #include "engine/figure_rules.h"
@@ -14,21 +15,9 @@
 namespace ps {
 namespace {
 
-struct NamedRole {
-  std::string_view name;
-  Role role;
-};
-constexpr std::array named_roles{NamedRole{"ink", Role::ink},
-                                 NamedRole{"quiet", Role::quiet},
-                                 NamedRole{"border", Role::border},
-                                 NamedRole{"faint", Role::faint},
-                                 NamedRole{"a", Role::a},
-                                 NamedRole{"b", Role::b},
-                                 NamedRole{"right", Role::right},
-                                 NamedRole{"wrong", Role::wrong},
-                                 NamedRole{"light", Role::light},
-                                 NamedRole{"mirror", Role::mirror},
-                                 NamedRole{"attention", Role::attention}};
+/// Roles that a description may name.
+constexpr std::array named_roles{Role::ink,   Role::quiet, Role::border, Role::faint,  Role::a,        Role::b,
+                                 Role::right, Role::wrong, Role::light,  Role::mirror, Role::attention};
 
 struct NamedSide {
   std::string_view name;
@@ -145,8 +134,8 @@ class FigureReader {
   }
 
   static bool take_look(const std::string& word, DrawnLine& drawn) {
-    for (const NamedRole& each : named_roles)
-      if (each.name == word) return drawn.stroke.tint.role = each.role, true;
+    for (const Role role : named_roles)
+      if (enumerator_key(role) == word) return drawn.stroke.tint.role = role, true;
     for (const NamedSide& each : named_sides)
       if (each.name == word) return drawn.side = each.side, true;
     if (word == "dashed") return drawn.stroke.dash = dashed, true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/enumerators.h"
 #include "base/spelling.h"
 #include "document/number_list.h"
 #include "document/permalink.h"
@@ -30,7 +31,7 @@ void add_setting(const std::string& assignment, std::vector<std::string>& settin
 
 /// A presenter chooses that mode, a step cannot.
 ScreenMode parse_step_mode(const std::string& text) {
-  const ScreenMode mode = parse_screen_mode(text);
+  const ScreenMode mode = parse_enumerator<ScreenMode>("mode", text);
   if (mode == ScreenMode::presenter) throw InputError("mode: found 'presenter', expected lesson explore study");
   return mode;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/enumerators.h"
 #include "base/resources.h"
 #include "document/number_list.h"
 #include "document/permalink_field.h"
@@ -49,11 +50,6 @@ using detail::parse_whole;
 using detail::text_unless;
 using Field = detail::PermalinkField;
 using Text = std::optional<std::string>;
-
-constexpr std::array compare_modes{CompareMode::side_by_side, CompareMode::split, CompareMode::difference,
-                                   CompareMode::only_a, CompareMode::only_b};
-
-constexpr std::array screen_modes{ScreenMode::lesson, ScreenMode::explore, ScreenMode::study, ScreenMode::presenter};
 
 /// Whether a part of the window is open, as its field says it.
 bool parse_open(std::string_view text, std::string_view what) {
@@ -161,9 +157,10 @@ const std::vector<Field>& document_fields() {
        [](Document& d, std::string_view t) { d.b.slow_motion = parse_slow_motion(t); }},
       {"compare",
        [](const Document& d) {
-         return text_unless(std::string(compare_key(d.compare)), std::string(compare_key(CompareMode::side_by_side)));
+         return text_unless(std::string(enumerator_key(d.compare)),
+                            std::string(enumerator_key(CompareMode::side_by_side)));
        },
-       [](Document& d, std::string_view t) { d.compare = parse_compare_mode(t); }},
+       [](Document& d, std::string_view t) { d.compare = parse_enumerator<CompareMode>("compare", t); }},
       {"split", [](const Document& d) { return number_unless(d.split, 0.5); },
        [](Document& d, std::string_view t) { d.split = parse_in_range(t, 0, 1, "split"); }},
       {"range", [](const Document& d) { return heat_range_text(d.heat_range); },
@@ -209,9 +206,9 @@ const std::vector<Field>& document_fields() {
       {"mode",
        [](const Document& d) {
          const ScreenMode usual = d.lesson.empty() ? ScreenMode::explore : ScreenMode::lesson;
-         return d.mode == usual ? Text{} : Text{std::string(mode_key(d.mode))};
+         return d.mode == usual ? Text{} : Text{std::string(enumerator_key(d.mode))};
        },
-       [](Document& d, std::string_view t) { d.mode = parse_screen_mode(t); }},
+       [](Document& d, std::string_view t) { d.mode = parse_enumerator<ScreenMode>("mode", t); }},
       {"step", [](const Document& d) { return d.step == 0 ? Text{} : Text{fmt::format("{}", d.step)}; },
        [](Document& d, std::string_view t) { d.step = parse_whole(t, 0, 1000, "step"); }},
   };
@@ -238,54 +235,6 @@ void detail::add_options(std::string_view prefix, const Settings& settings, cons
     const auto equals = assignment.find('=');
     add(fmt::format("{}{}", prefix, assignment.substr(0, equals)), assignment.substr(equals + 1));
   }
-}
-
-std::string_view compare_key(CompareMode mode) {
-  switch (mode) {
-  case CompareMode::side_by_side:
-    return "side-by-side";
-  case CompareMode::split:
-    return "split";
-  case CompareMode::difference:
-    return "difference";
-  case CompareMode::only_a:
-    return "only-a";
-  case CompareMode::only_b:
-    return "only-b";
-  }
-  return "";
-}
-
-CompareMode parse_compare_mode(std::string_view text) {
-  std::vector<std::string_view> keys;
-  for (const CompareMode mode : compare_modes) {
-    if (compare_key(mode) == text) return mode;
-    keys.push_back(compare_key(mode));
-  }
-  throw InputError(fmt::format("compare: found '{}', expected one of {}", text, fmt::join(keys, " ")));
-}
-
-std::string_view mode_key(ScreenMode mode) {
-  switch (mode) {
-  case ScreenMode::lesson:
-    return "lesson";
-  case ScreenMode::explore:
-    return "explore";
-  case ScreenMode::study:
-    return "study";
-  case ScreenMode::presenter:
-    return "presenter";
-  }
-  return "";
-}
-
-ScreenMode parse_screen_mode(std::string_view text) {
-  std::vector<std::string_view> keys;
-  for (const ScreenMode mode : screen_modes) {
-    if (mode_key(mode) == text) return mode;
-    keys.push_back(mode_key(mode));
-  }
-  throw InputError(fmt::format("mode: found '{}', expected one of {}", text, fmt::join(keys, " ")));
 }
 
 std::string permalink(const Document& document) {

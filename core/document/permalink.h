@@ -21,14 +21,6 @@ Document parse_permalink(std::string_view text);
 /// leaves the document alone, if no part has this name; throws InputError for a value that permalink() would not write.
 bool set_permalink_part(Document& document, std::string_view key, std::string_view value);
 
-/// "side-by-side", "split", "difference", "only-a", "only-b"; throws InputError for anything else.
-CompareMode parse_compare_mode(std::string_view text);
-std::string_view compare_key(CompareMode mode);
-
-/// "lesson", "explore", "study", "presenter"; throws InputError for anything else.
-ScreenMode parse_screen_mode(std::string_view text);
-std::string_view mode_key(ScreenMode mode);
-
 /// "#cgfs" as "%23cgfs" and back. Throws InputError for a broken escape.
 std::string percent_escape(std::string_view text);
 std::string percent_unescape(std::string_view text);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/check.h"
+#include "base/enumerators.h"
 #include "document/number_list.h"
 #include "document/permalink_field.h"
 
@@ -16,7 +17,6 @@ namespace {
 using Part = std::optional<std::string>;
 
 constexpr int most_events = 10'000'000;
-constexpr std::array<std::string_view, 4> preset_keys{"outside", "front", "side", "top"};
 constexpr std::string_view camera_key = "camera";
 
 OutsideView& outside_of(Document& document) { return document.story.outside; }
@@ -24,18 +24,18 @@ OutsideView& outside_of(Document& document) { return document.story.outside; }
 Part look_text(const Document& document) {
   const OutsideView& outside = document.story.outside;
   if (outside.through_camera) return std::string(camera_key);
-  return text_unless(std::string(preset_keys.at(static_cast<std::size_t>(outside.preset))), "outside");
+  return text_unless(std::string(enumerator_key(outside.preset)), "outside");
 }
 
 void parse_look(Document& document, std::string_view text) {
   OutsideView& outside = outside_of(document);
   outside.through_camera = text == camera_key;
   if (outside.through_camera) return;
-  const auto found = std::find(preset_keys.begin(), preset_keys.end(), text);
-  if (found == preset_keys.end())
-    throw InputError(
-        fmt::format("look: found '{}', expected one of {} {}", text, fmt::join(preset_keys, " "), camera_key));
-  outside.preset = static_cast<SpacePreset>(found - preset_keys.begin());
+  const auto preset = enumerator_named<SpacePreset>(text);
+  if (!preset)
+    throw InputError(fmt::format("look: found '{}', expected one of {} {}", text,
+                                 fmt::join(enumerator_keys<SpacePreset>, " "), camera_key));
+  outside.preset = *preset;
 }
 
 Part orbit_text(const Document& document) {

@@ -1,24 +1,11 @@
 #include "frame/machinery.h"
 
+#include "base/enumerators.h"
+
 namespace ps {
 
-std::string_view machinery_key(Machinery machinery) {
-  switch (machinery) {
-  case Machinery::clear:
-    return "clear";
-  case Machinery::sphere_packets:
-    return "sphere-packets";
-  case Machinery::wide_triangles:
-    return "wide-triangles";
-  case Machinery::fragment_batches:
-    return "fragment-batches";
-  case Machinery::whole_frame:
-    return "whole-frame";
-  case Machinery::driver:
-    return "driver";
-  }
-  return "";
-}
+std::string_view machinery_key(Machinery machinery) { return enumerator_key(machinery); }
+std::string_view shading_key(SurfaceShading shading) { return enumerator_key(shading); }
 
 std::string_view machinery_label(Machinery machinery) {
   switch (machinery) {
@@ -34,18 +21,6 @@ std::string_view machinery_label(Machinery machinery) {
     return "SIMD: whole tiles of the picture";
   case Machinery::driver:
     return "the graphics driver";
-  }
-  return "";
-}
-
-std::string_view shading_key(SurfaceShading shading) {
-  switch (shading) {
-  case SurfaceShading::single:
-    return "single";
-  case SurfaceShading::mixed:
-    return "mixed";
-  case SurfaceShading::lanes:
-    return "lanes";
   }
   return "";
 }

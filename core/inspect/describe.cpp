@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/enumerators.h"
 #include "inspect/face_data.h"
 #include "record/event_keys.h"
 #include "record/value_text.h"
@@ -28,7 +29,7 @@ struct Describer {
 
   std::string operator()(const RayEvent& e) const {
     std::string text =
-        fmt::format("{} ray from {} along {}", event_key(e.kind), vector_text(e.origin), vector_text(e.direction));
+        fmt::format("{} ray from {} along {}", enumerator_key(e.kind), vector_text(e.origin), vector_text(e.direction));
     for (std::size_t i = 0; i < e.inside.size(); ++i)
       text += fmt::format("{}{} (refraction index {})", i == 0 ? ", origin inside " : ", inside ",
                           object_name(scene, e.inside[i].object), number_text(e.inside[i].index));
@@ -64,7 +65,7 @@ struct Describer {
     return fmt::format("no hit: background {}", vector_text(e.background));
   }
   std::string operator()(const TextureEvent& e) const {
-    const std::string use = e.use == TextureUse::surface ? "" : fmt::format(" for {}", event_key(e.use));
+    const std::string use = e.use == TextureUse::surface ? "" : fmt::format(" for {}", enumerator_key(e.use));
     const std::string texels = e.texels.empty()       ? ""
                                : e.texels.size() == 1 ? " of 1 texel"
                                                       : fmt::format(" of {} texels", e.texels.size());

@@ -7,6 +7,7 @@
 #include <initializer_list>
 
 #include "base/check.h"
+#include "base/enumerators.h"
 #include "inspect/guess_text.h"
 #include "inspect/vertex_chain.h"
 #include "options/renderer_kind.h"
@@ -15,7 +16,6 @@
 namespace ps {
 namespace {
 
-constexpr std::array<std::string_view, 5> question_keys{"colour", "winner", "rays", "triangle", "tests"};
 constexpr int right_within = 4, wrong_beyond = 64;  // levels
 
 std::string object_text(int object, const Scene& scene) {
@@ -39,12 +39,11 @@ Judgement judge_colour(const Guess& guess, const PixelStory& story) {
 
 }  // namespace
 
-std::string_view question_key(Question question) { return question_keys.at(static_cast<std::size_t>(question)); }
+std::string_view question_key(Question question) { return enumerator_key(question); }
 
 Question parse_question(std::string_view text) {
-  for (std::size_t i = 0; i < question_keys.size(); ++i)
-    if (question_keys[i] == text) return static_cast<Question>(i);
-  throw InputError(fmt::format("found '{}', expected one of {}", text, fmt::join(question_keys, " ")));
+  if (const auto question = enumerator_named<Question>(text)) return *question;
+  throw InputError(fmt::format("found '{}', expected one of {}", text, fmt::join(enumerator_keys<Question>, " ")));
 }
 
 namespace {

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "base/enumerators.h"
 #include "base/number_text.h"
 #include "base/word_search.h"
-#include "record/event_keys.h"
 
 namespace ps {
 namespace {
@@ -72,8 +72,7 @@ struct Number {
 };
 
 RayKind parse_ray(std::string_view text) {
-  for (const RayKind kind : {RayKind::shadow, RayKind::reflection, RayKind::refraction})
-    if (event_key(kind) == text) return kind;
+  if (const auto kind = enumerator_named<RayKind>(text); kind && *kind != RayKind::eye) return *kind;
   throw InputError(fmt::format("field: found the ray '{}', expected shadow, reflection or refraction", text));
 }
 
@@ -126,7 +125,7 @@ std::optional<double> number_of_story(const std::vector<Event>& events, const Fi
 
 std::string field_query_text(const FieldQuery& query) {
   std::string text;
-  for (const RayKind ray : query.path) text += fmt::format("{} > ", event_key(ray));
+  for (const RayKind ray : query.path) text += fmt::format("{} > ", enumerator_key(ray));
   text += query.kind;
   if (!query.subject.empty()) text += " " + query.subject;
   if (query.order > 0) text += fmt::format(" #{}", query.order);
@@ -195,7 +194,7 @@ std::string field_query_words(const FieldQuery& query) {
     return fmt::format("{} in the listing{}{}", key, within, again);
   }
   std::string words = fmt::format("{} of {}{}{}", key, query.kind, query.subject.empty() ? "" : " ", query.subject);
-  for (const RayKind ray : query.path) words += fmt::format(", {} ray", event_key(ray));
+  for (const RayKind ray : query.path) words += fmt::format(", {} ray", enumerator_key(ray));
   if (query.order > 0) words += fmt::format(", number {}", query.order + 1);
   return words;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/enumerators.h"
 #include "scene/scene_draft.h"
 #include "scene/scene_keys.h"
 
@@ -12,7 +13,7 @@ Blend read_blend(const SceneSource& source, const SceneFields& fields) {
   const SceneTerm* term = fields.find("blend");
   if (term == nullptr) return Blend::replace;
   constexpr const char* expected = "replace, additive or subtractive";
-  if (const auto blend = blend_named(source.values.name(*term, expected))) return *blend;
+  if (const auto blend = enumerator_named<Blend>(source.values.name(*term, expected))) return *blend;
   source.values.fail(*term, expected);
 }
 

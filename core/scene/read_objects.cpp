@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/enumerators.h"
 #include "base/spelling.h"
 #include "scene/place_body.h"
 #include "scene/scene_draft.h"
@@ -23,7 +24,7 @@ void add_object(const SceneSource& source, const SceneFields& fields, Object obj
 
 Sides read_sides(const SceneValues& values, const SceneTerm& term) {
   constexpr const char* expected = "two or front";
-  if (const auto sides = sides_named(values.name(term, expected))) return *sides;
+  if (const auto sides = enumerator_named<Sides>(values.name(term, expected))) return *sides;
   values.fail(term, expected);
 }
 

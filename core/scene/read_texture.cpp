@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/check.h"
+#include "base/enumerators.h"
 #include "image/height_map.h"
 #include "scene/picture_fault.h"
 #include "scene/scene_draft.h"
@@ -12,14 +13,6 @@
 
 namespace ps {
 namespace {
-
-constexpr std::array<std::pair<std::string_view, TextureChannel>, 6> texture_channels{
-    {{"colour", TextureChannel::colour},
-     {"red", TextureChannel::red},
-     {"green", TextureChannel::green},
-     {"blue", TextureChannel::blue},
-     {"alpha", TextureChannel::alpha},
-     {"luminance", TextureChannel::luminance}}};
 
 /// Reads one texture block.
 class TextureReader {
@@ -88,9 +81,7 @@ class TextureReader {
   }
 
   TextureChannel channel_of(const SceneTerm& term) const {
-    const std::string name = values_.name(term);
-    for (const auto& [known, channel] : texture_channels)
-      if (name == known) return channel;
+    if (const auto channel = enumerator_named<TextureChannel>(values_.name(term))) return *channel;
     values_.fail(term, "colour, red, green, blue, alpha or luminance");
   }
 
@@ -134,11 +125,7 @@ class TextureReader {
 
 }  // namespace
 
-std::string_view texture_channel_name(TextureChannel channel) {
-  for (const auto& [name, known] : texture_channels)
-    if (known == channel) return name;
-  return "";
-}
+std::string_view texture_channel_name(TextureChannel channel) { return enumerator_key(channel); }
 
 void read_texture(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
   const SceneFields fields(source.values, entry,

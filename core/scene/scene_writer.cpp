@@ -243,7 +243,7 @@ class SceneWriter {
          scene_name(meshes_[instance.mesh]));
     mark(object, "    ");
     if (instance.material) line("    material = {}", scene_name(materials_[*instance.material]));
-    if (instance.sides == Sides::front) line("    sides = {}", sides_key(instance.sides));
+    if (instance.sides == Sides::front) line("    sides = {}", enumerator_key(instance.sides));
     const Transform& transform = instance.transform;
     const bool turned = transform.rotation != Mat3d(1.0);
     if (!turned && transform.scale == Vec3d{1, 1, 1}) {
@@ -290,7 +290,7 @@ class SceneWriter {
     mark(scene_.geometry->objects[index], indent + "    ");
     text_ += form_lines(solid.form, indent + "    ");
     line("{}    material = {}", indent, scene_name(materials_[solid.material]));
-    if (solid.sides == Sides::front) line("{}    sides = {}", indent, sides_key(solid.sides));
+    if (solid.sides == Sides::front) line("{}    sides = {}", indent, enumerator_key(solid.sides));
     line("{}}}", indent);
     if (in_group) line("}}");
   }
@@ -343,7 +343,7 @@ class SceneWriter {
   }
 
   void blend(Blend blend) {
-    if (blend != Blend::replace) line("    blend = {}", blend_key(blend));
+    if (blend != Blend::replace) line("    blend = {}", enumerator_key(blend));
   }
 
   void canvas_item(const CanvasLine& item) {

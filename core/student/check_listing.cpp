@@ -91,16 +91,4 @@ void save_own_picture(const std::filesystem::path& path, const Image<Vec3d>& pic
     save_image(path, display_image(unit_picture<Vec3d>(picture), display_transform(settings)));
 }
 
-std::string_view message_word(MessageKind kind) {
-  switch (kind) {
-  case MessageKind::error:
-    return "error";
-  case MessageKind::warning:
-    return "warning";
-  case MessageKind::note:
-    return "note";
-  }
-  return "";
-}
-
 }  // namespace ps

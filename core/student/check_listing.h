@@ -40,7 +40,4 @@ std::string verdict_text(const WrongPixels& wrong, int width, int height);
 /// Writes a picture in levels from 0 to 255 as the display shows it, or its numbers from 0 to 1 into a .pfm file.
 void save_own_picture(const std::filesystem::path& path, const Image<Vec3d>& picture, const Settings& settings);
 
-/// "error", "warning", "note"
-std::string_view message_word(MessageKind kind);
-
 }  // namespace ps

@@ -251,24 +251,6 @@ class Runner {
 
 }  // namespace
 
-std::string_view chart_across_key(ChartAcross across) {
-  switch (across) {
-  case ChartAcross::time:
-    return "time";
-  case ChartAcross::work:
-    return "work";
-  case ChartAcross::memory:
-    return "memory";
-  }
-  return "";
-}
-
-ChartAcross parse_chart_across(std::string_view key) {
-  for (const ChartAcross across : {ChartAcross::time, ChartAcross::work, ChartAcross::memory})
-    if (chart_across_key(across) == key) return across;
-  throw InputError(fmt::format("across: found '{}', expected time, work or memory", key));
-}
-
 Shard parse_shard(std::string_view text) {
   const auto slash = text.find('/');
   const auto index = parse_integer<int>(text.substr(0, slash));

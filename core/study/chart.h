@@ -73,11 +73,6 @@ struct ChartIdentity {
   bool operator==(const ChartIdentity&) const = default;
 };
 
-/// "time", "work" or "memory".
-std::string_view chart_across_key(ChartAcross across);
-/// Throws InputError.
-ChartAcross parse_chart_across(std::string_view key);
-
 struct Chart {
   ChartIdentity identity;
   Machine machine;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/enumerators.h"
 #include "base/sentence.h"
 #include "render/left_out.h"
 #include "study/chart_front.h"
@@ -241,7 +242,7 @@ class Writer {
   }
 
   bool time() const { return chart_.across == ChartAcross::time; }
-  std::string_view cost() const { return chart_across_key(chart_.across); }
+  std::string_view cost() const { return enumerator_key(chart_.across); }
   std::string quantity() const {
     return chart_.metric == ErrorMetric::psnr ? "PSNR" : std::string(error_metric(chart_.metric).label);
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/enumerators.h"
 #include "study/chart_front.h"
 #include "study/chart_style.h"
 #include "study/counted_work.h"
@@ -149,7 +150,7 @@ class LabelDrawing {
 
   std::string layout_key() const {
     std::string key = fmt::format("{} {} {} {}", frame_.inner.width(), frame_.inner.height(),
-                                  static_cast<int>(chart_.metric), chart_across_key(chart_.across));
+                                  static_cast<int>(chart_.metric), enumerator_key(chart_.across));
     for (const ChartMark& mark : marks_) {
       const ChartPoint& point = chart_.points[mark.point];
       key += fmt::format(" {:.0f},{:.0f},{:.0f},{:.0f},{:.0f},{:.0f}{}", mark.at.x, mark.at.y,

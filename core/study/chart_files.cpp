@@ -9,6 +9,7 @@
 #include "base/atomic_file.h"
 #include "base/check.h"
 #include "base/csv.h"
+#include "base/enumerators.h"
 #include "options/choice_key.h"
 #include "render/provenance.h"
 #include "study/chart_conclusion.h"
@@ -40,7 +41,7 @@ Json point_json(const ChartPoint& point) {
             {"on_front", point.on_front},
             {"name", point.what.name},
             {"tie", point.tie},
-            {"standing", standing_key(point.standing)},
+            {"standing", enumerator_key(point.standing)},
             {"left_out", point.left_out}};
   if (point.upload_ms) {
     json["upload_ms"] = point.upload_ms->median;
@@ -82,7 +83,7 @@ std::string chart_csv(const Chart& chart) {
                             const ChartPoint& point = *measured[i];
                             return std::vector<std::string>{
                                 point.tie ? "1" : "0", point.upload_ms ? shortest_text(point.upload_ms->median) : "",
-                                std::string(standing_key(point.standing)),
+                                std::string(enumerator_key(point.standing)),
                                 fmt::format("{}", fmt::join(point.left_out, "; "))};
                           });
 }
@@ -102,7 +103,7 @@ std::string chart_json(const Chart& chart) {
             {"region", id.region},
             {"reference", id.reference},
             {"machinery", id.machinery},
-            {"across", chart_across_key(chart.across)},
+            {"across", enumerator_key(chart.across)},
             {"conclusion", chart_conclusion(chart).sentence}};
   if (chart.reference_halves) json["reference-halves"] = comparison_json(*chart.reference_halves);
   json["points"] = Json::array();

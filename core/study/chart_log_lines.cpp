@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/check.h"
+#include "base/enumerators.h"
 #include "options/option.h"
 #include "study/comparison_json.h"
 #include "study/counted_work.h"
@@ -82,7 +83,7 @@ ChartJson chart_picture_json(const ChartPoint& point) {
                  {"settings", point.what.settings}, {"comparison", comparison_json(point.comparison)},
                  {"memory_mb", point.memory_mb},    {"prepare_ms", point.prepare_ms}};
   json["name"] = point.what.name;
-  if (point.standing != Standing::compared) json["standing"] = standing_key(point.standing);
+  if (point.standing != Standing::compared) json["standing"] = enumerator_key(point.standing);
   if (!point.left_out.empty()) json["left-out"] = point.left_out;
   json["all-settings"] = changed_options(point.what.value);
   for (std::size_t i = 0; i < counter_count; ++i) {
@@ -98,7 +99,8 @@ ChartPoint chart_picture_from(const ChartJson& json, int points) {
   point.what.label = json.at("label");
   point.what.name = json.value("name", point.what.label);
   point.what.settings = json.at("settings");
-  if (json.contains("standing")) point.standing = parse_standing(json.at("standing").get<std::string>());
+  if (json.contains("standing"))
+    point.standing = parse_enumerator<Standing>("standing", json.at("standing").get<std::string>());
   if (json.contains("left-out")) point.left_out = json.at("left-out").get<std::vector<std::string>>();
   for (const std::string assignment : json.at("all-settings")) parse_assignment(assignment, point.what.value);
   point.comparison = comparison_from_json(json.at("comparison"));

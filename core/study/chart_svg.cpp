@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/enumerators.h"
 #include "image/svg.h"
 #include "render/provenance.h"
 #include "study/chart_conclusion.h"
@@ -28,7 +29,7 @@ double write_lines(Painter& painter, const std::vector<std::string>& lines, doub
 std::string title_of(const Chart& chart) {
   const ChartIdentity& id = chart.identity;
   const std::string swept = chart_names(chart).common;
-  return fmt::format("{}, {} x {}: {} against error{}{}", id.scene, id.width, id.height, chart_across_key(chart.across),
+  return fmt::format("{}, {} x {}: {} against error{}{}", id.scene, id.width, id.height, enumerator_key(chart.across),
                      swept.empty() ? "" : ", for each value of ", swept);
 }
 

@@ -11,8 +11,6 @@
 namespace ps {
 namespace {
 
-constexpr std::array all_standings{Standing::compared, Standing::truth, Standing::other_picture};
-
 bool shows_another_picture(const Settings& settings, const ReferencePlan& plan, const SceneTraits& traits) {
   return std::any_of(plan.swept.begin(), plan.swept.end(), [&](const Option* option) {
     return option->truth.kind == TruthKind::other_picture && option->get(settings) != option->get(plan.settings) &&
@@ -33,24 +31,6 @@ bool has_the_settings_of_the_truth(const Settings& settings, const ReferencePlan
 }
 
 }  // namespace
-
-std::string_view standing_key(Standing standing) {
-  switch (standing) {
-  case Standing::compared:
-    return "compared";
-  case Standing::truth:
-    return "truth";
-  case Standing::other_picture:
-    return "other-picture";
-  }
-  return "";
-}
-
-Standing parse_standing(std::string_view key) {
-  for (const Standing standing : all_standings)
-    if (standing_key(standing) == key) return standing;
-  throw InputError(fmt::format("standing: found '{}', expected compared, truth or other-picture", key));
-}
 
 std::vector<Standing> standings(std::span<const SweepPoint> points, const ReferencePlan& plan,
                                 const SceneTraits& traits) {

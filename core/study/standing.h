@@ -12,11 +12,6 @@ enum class Standing {
   other_picture,  ///< it shows something else on purpose (TruthKind::other_picture): its difference is no error
 };
 
-/// For files: "compared", "truth" or "other-picture".
-std::string_view standing_key(Standing standing);
-/// Throws InputError.
-Standing parse_standing(std::string_view key);
-
 /// The standing of each of the plan's points, in their order. Where all of them have the settings of the truth, as with
 /// options that only change the speed, none is drawn as the truth: all are compared. Where none has an error, as with
 /// the gamma, the picture as set is one of those on purpose.

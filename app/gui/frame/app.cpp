@@ -9,6 +9,7 @@
 #include <sstream>
 #include <utility>
 
+#include "base/enumerators.h"
 #include "document/permalink.h"
 #include "document/permalink_file.h"
 #include "engine/lesson.h"
@@ -160,7 +161,7 @@ App::Parts::Parts(Shell& of, const AppOptions& options, Document document)
     document = std::move(*left_behind);
   } else if (nothing_linked(options)) {
     read_layout(shell.remembered(layout_key), document.layout);
-    if (shell.remembered(mode_key_of_state) == mode_key(ScreenMode::lesson)) document.mode = ScreenMode::lesson;
+    if (shell.remembered(mode_key_of_state) == enumerator_key(ScreenMode::lesson)) document.mode = ScreenMode::lesson;
   }
   session.start(std::move(document));
   for (const Message& message : words) session.say(message.kind, message.text);
@@ -320,7 +321,7 @@ void App::Parts::keep_what_is_open() {
     session.say(Message::Kind::information, "What is open is saved again for the next start.");
   }
   shell.remember(layout_key, layout_text(session.document().layout));
-  shell.remember(mode_key_of_state, std::string(mode_key(session.document().mode)));
+  shell.remember(mode_key_of_state, std::string(enumerator_key(session.document().mode)));
 }
 
 void App::Parts::draw_status(ImVec2 window, float height) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/enumerators.h"
 #include "document/permalink.h"
 #include "gui/frame/show_panel.h"
 #include "gui/input/key_hint.h"
@@ -141,11 +142,11 @@ void MenuBar::compare_buttons(float left) {
   const NameScope scope("compare");
   const CompareMode wanted = session_.document().compare;
   for (const auto& mode : modes)
-    if (button_on_off(compare_key(mode.mode), mode.label, shown_ == mode.mode,
+    if (button_on_off(enumerator_key(mode.mode), mode.label, shown_ == mode.mode,
                       {.tooltip = mode.mode == wanted && shown_ != wanted
                                       ? "Both pictures side by side: two have no room here that one does not fill "
                                         "better, so they are shown as a split."
-                                      : with_key(mode.help, compare_key(mode.mode))}))
+                                      : with_key(mode.help, enumerator_key(mode.mode))}))
       session_.navigate([&](Document& document) { document.compare = mode.mode; });
 }
 

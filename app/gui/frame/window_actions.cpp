@@ -7,6 +7,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "base/enumerators.h"
 #include "base/spelling.h"
 #include "document/command_line.h"
 #include "document/permalink.h"
@@ -39,7 +40,7 @@ void add_gestures(Actions& actions) {
 void add_mode_actions(Actions& actions, Session& session) {
   ActionGroup window(actions, "Window", [&session] { return session.has_scene(); });
   const auto add = [&](ScreenMode mode, const char* label, const char* key, std::function<void()> run) {
-    window.add_toggle("mode-" + std::string(mode_key(mode)), label, key, std::move(run),
+    window.add_toggle("mode-" + std::string(enumerator_key(mode)), label, key, std::move(run),
                       [&session, mode] { return session.document().mode == mode; });
   };
   const auto goes_to = [&session](ScreenMode mode) { return [&session, mode] { set_mode(session, mode); }; };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/check.h"
+#include "base/enumerators.h"
 #include "document/number_list.h"
 #include "document/permalink.h"
 #include "gui/base/region_names.h"
@@ -153,7 +154,7 @@ void offer_session_values(Values& out, Session& session) {
   out.offer("scene", [&session] { return session.document().scene_name; });
   out.offer("loading",
             [&session] { return session.loader().loading() ? session.loader().name() : std::string("none"); });
-  out.offer("compare", [&session] { return compare_key(session.document().compare); });
+  out.offer("compare", [&session] { return enumerator_key(session.document().compare); });
   out.offer("pixel", [&session] {
     const auto picked = session.pixel();
     return picked ? fmt::format("{},{}", picked->x, picked->y) : "none";
@@ -174,7 +175,7 @@ void offer_session_values(Values& out, Session& session) {
   out.offer("step", [&session] { return session.document().lesson.empty() ? 0 : session.document().step + 1; });
   out.offer("panels", [&session] { return session.document().layout.panels; });
   out.offer("pixel-panel", [&session] { return session.document().layout.story_open; });
-  out.offer("mode", [&session] { return mode_key(session.document().mode); });
+  out.offer("mode", [&session] { return enumerator_key(session.document().mode); });
   out.offer("selected-event", [&session] { return session.selected_event(inspected_side(session)); });
   out.offer("space/filled", [&session] { return session.document().layout.filled == region_names::bottom; });
 }

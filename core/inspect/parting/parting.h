@@ -35,9 +35,6 @@ enum class PartingCause {
   unexplained
 };
 
-/// "epsilon", "missing-bounce", ...
-std::string_view parting_cause_key(PartingCause cause);
-
 /// One side of a comparison. Both referred to must outlive it.
 struct StorySide {
   const PixelStory& story;

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "base/check.h"
+#include "base/enumerators.h"
 #include "options/scene_settings.h"
 #include "study/model/model_words.h"
 
@@ -17,7 +18,7 @@ std::vector<SweepPoint> model_sweep(const ModelNeeds& needs, const Settings& bas
   std::vector<SweepPoint> points{{"full", "Model: full", settings_text(base), base}};
   std::string gone;
   for (const ModelSaving& saving : needs.savings) {
-    gone += fmt::format("{}{}", gone.empty() ? "" : ", ", model_part_key(saving.part));
+    gone += fmt::format("{}{}", gone.empty() ? "" : ", ", enumerator_key(saving.part));
     points.push_back({fmt::format("reduced {}", gone), fmt::format("Model: reduced {}", gone),
                       settings_text(saving.settings), saving.settings, std::make_shared<const Scene>(saving.scene)});
   }

@@ -39,38 +39,6 @@ std::string saved_words(const ModelNeeds& needs) {
 
 }  // namespace
 
-std::string_view model_part_key(ModelPart part) {
-  switch (part) {
-  case ModelPart::objects:
-    return "objects";
-  case ModelPart::shapes:
-    return "shapes";
-  case ModelPart::triangles:
-    return "triangles";
-  case ModelPart::small_objects:
-    return "small-objects";
-  case ModelPart::textures:
-    return "textures";
-  case ModelPart::detail:
-    return "detail";
-  case ModelPart::lights:
-    return "lights";
-  case ModelPart::reflection_depth:
-    return "reflection-depth";
-  case ModelPart::samples:
-    return "samples";
-  case ModelPart::precision:
-    return "precision";
-  case ModelPart::tessellation:
-    return "tessellation";
-  case ModelPart::accelerator:
-    return "accelerator";
-  case ModelPart::depth_buffer:
-    return "depth-buffer";
-  }
-  return "";
-}
-
 std::vector<const ModelSaving*> greatest_first(const ModelNeeds& needs) {
   std::vector<const ModelSaving*> savings;
   for (const ModelSaving& saving : needs.savings) savings.push_back(&saving);

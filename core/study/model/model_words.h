@@ -11,9 +11,6 @@ namespace ps {
 /// texture 'bricks' can go: 71 % less work, 96 % fewer bytes, RMSE 0.4 of 255." Or that no part can go, and why.
 std::string model_sentence(const ModelNeeds& needs);
 
-/// For files: "reflection-depth".
-std::string_view model_part_key(ModelPart part);
-
 /// "from one view" or "from 8 views": what the reduced scene holds for.
 std::string views_words(std::size_t views);
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/check.h"
+#include "base/enumerators.h"
 #include "study/stability/experiment.h"
 
 namespace ps {
@@ -68,17 +69,7 @@ std::string_view better_text(Better better) {
   return "";
 }
 
-std::string_view better_key(Better better) {
-  switch (better) {
-  case Better::lower:
-    return "lower";
-  case Better::higher:
-    return "higher";
-  case Better::neither:
-    return "neither";
-  }
-  return "";
-}
+std::string_view better_key(Better better) { return enumerator_key(better); }
 
 const StabilitySeries& quantity_of(const StabilityExperiment& experiment, std::string_view series) {
   return *match_of(experiment, series).quantity;

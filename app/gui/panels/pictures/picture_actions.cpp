@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/enumerators.h"
 #include "document/permalink.h"
 #include "gui/panels/pictures/first_nan.h"
 #include "gui/panels/pictures/picture_size.h"
@@ -70,7 +71,7 @@ void add_compare_actions(Actions& actions, Session& session, PicturesState& pict
   const auto add = [&](CompareMode mode, const char* label, const char* keys, std::function<void()> run,
                        std::function<bool()> enabled) {
     ActionGroup(actions, "Compare", std::move(enabled))
-        .add_toggle(std::string(compare_key(mode)), label, keys, std::move(run),
+        .add_toggle(std::string(enumerator_key(mode)), label, keys, std::move(run),
                     [&pictures, mode] { return pictures.drawn.compare == mode; });
   };
   const auto compare = [&](CompareMode mode, const char* label, const char* keys) {

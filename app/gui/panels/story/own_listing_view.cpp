@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "base/enumerators.h"
 #include "base/read_file.h"
 #include "gui/panels/story/listing_code.h"
 #include "gui/widgets/draw.h"
@@ -43,7 +44,7 @@ int shown_line(const OwnListingState& state, int line) {
 }
 
 std::string message_text(const CompilerMessage& message) {
-  const std::string_view word = message_word(message.kind);
+  const std::string_view word = enumerator_key(message.kind);
   return message.line > 0 ? fmt::format("{}, line {}: {}", word, message.line, message.text)
                           : fmt::format("{}: {}", word, message.text);
 }

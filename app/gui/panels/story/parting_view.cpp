@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/enumerators.h"
 #include "base/sentence.h"
 #include "gui/panels/story/story_rows.h"
 #include "gui/widgets/draw.h"
@@ -30,7 +31,7 @@ void sentence(const Parting& parting) {
   if (parting.cause != PartingCause::none) {
     show_text("cause", {Face::small, true});
     ImGui::SameLine(0, px(8));
-    std::string words(parting_cause_key(parting.cause));
+    std::string words(enumerator_key(parting.cause));
     std::replace(words.begin(), words.end(), '-', ' ');
     value_text("cause", words, {Face::bold});
   }

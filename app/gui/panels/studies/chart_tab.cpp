@@ -9,6 +9,7 @@
 
 #include "base/atomic_file.h"
 #include "base/check.h"
+#include "base/enumerators.h"
 #include "base/kept_inputs.h"
 #include "gui/panels/studies/chart_hover.h"
 #include "gui/panels/studies/chart_invitation.h"
@@ -340,7 +341,7 @@ std::optional<std::string> point_value(const Chart& chart, std::string_view name
     if (what == "work") return ps::work_text(point.work);
     if (what == "on-front") return script_text(point.on_front);
     if (what == "tie") return script_text(point.tie);
-    if (what == "standing") return std::string(standing_key(point.standing));
+    if (what == "standing") return std::string(enumerator_key(point.standing));
     if (what == "left-out") return fmt::format("{}", fmt::join(point.left_out, "; "));
     if (what == "runs") return script_text(static_cast<int>(point.samples_ms.size()));
   }

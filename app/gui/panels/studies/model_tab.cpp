@@ -7,6 +7,7 @@
 #include <array>
 
 #include "base/check.h"
+#include "base/enumerators.h"
 #include "base/kept_inputs.h"
 #include "base/sentence.h"
 #include "gui/panels/pictures/picture_text.h"
@@ -81,7 +82,7 @@ void savings_table(const ModelNeeds& needs) {
   column_heading("Work saved", "Fraction of the rays, intersection tests, fragments and texel reads.");
   column_heading("Bytes saved", "Fraction of all bytes of vertices, triangles, texels, objects, materials and lights.");
   for (const ModelSaving* saving : greatest_first(needs)) {
-    const NameScope scope(model_part_key(saving->part));
+    const NameScope scope(enumerator_key(saving->part));
     ImGui::TableNextRow();
     const std::string goes =
         begun_large(saving->goes) + (saving->kept.empty() ? "" : fmt::format(": {}", saving->kept));
