@@ -12,9 +12,11 @@
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "render/fast_path.h"
+#include "render/story/story_tree.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 
 namespace ps::blending_test {
 namespace {
@@ -30,11 +32,7 @@ struct Sheets {
       : scene(load_scene(name)), view{scene.camera, size.x, size.y}, settings(settings_for(scene)) {
     settings.renderer = Renderer::rasterizer;
   }
-  Settings with(std::initializer_list<const char*> assignments) const {
-    Settings changed = settings;
-    for (const char* assignment : assignments) parse_assignment(assignment, changed);
-    return changed;
-  }
+  Settings with(std::initializer_list<const char*> assignments) const { return settings_with(settings, assignments); }
   Image<Vec3f> draw(std::initializer_list<const char*> assignments) const {
     return render(scene, view, with(assignments), request_for(Channel::none)).colour;
   }
@@ -179,18 +177,16 @@ TEST(Blending, StorySaysSourceDestinationAndResult) {
   for (const char* multisampling : {"multisampling=1", "multisampling=4"}) {
     SCOPED_TRACE(multisampling);
     const PixelStory story = sheets.story(front_to_back, {"blending=sorted", multisampling});
-    std::vector<WriteEvent> writes;
-    for (const Event& event : story.events)
-      if (const auto* write = std::get_if<WriteEvent>(&event.data)) writes.push_back(*write);
+    const auto writes = events_of<WriteEvent>(story.events);
     ASSERT_EQ(writes.size(), 4u);
     const Vec3d sources[] = {white, red, green, blue};
-    Vec3d destination = writes[0].before;
+    Vec3d destination = writes[0]->before;
     for (std::size_t i = 0; i < 4; ++i) {
-      EXPECT_EQ(writes[i].opacity, i == 0 ? 1 : 0.5);
-      expect_near(writes[i].shaded, sources[i], 0);
-      expect_near(writes[i].before, destination, 0);
+      EXPECT_EQ(writes[i]->opacity, i == 0 ? 1 : 0.5);
+      expect_near(writes[i]->shaded, sources[i], 0);
+      expect_near(writes[i]->before, destination, 0);
       destination = i == 0 ? white : half_over(sources[i], destination);
-      expect_near(writes[i].after, destination, 0);
+      expect_near(writes[i]->after, destination, 0);
     }
     expect_near(story.linear, destination, 0);
     EXPECT_NE(story.verdict.find("it is blended with 3 earlier colours"), std::string::npos) << story.verdict;

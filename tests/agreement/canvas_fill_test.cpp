@@ -11,8 +11,8 @@
 #include "raster/clear/polygon_rows.h"
 #include "render/story/story_tree.h"
 #include "scene/load.h"
-#include "support/environment.h"
 #include "support/render_once.h"
+#include "support/seeded_random.h"
 
 namespace ps::canvas_fill_test {
 namespace {
@@ -26,8 +26,7 @@ Vec2d middle_of(Vec2i pixel) {
 }
 
 Settings settings_with(CanvasFill fill, Precision precision = Precision::float32) {
-  Settings settings;
-  settings.renderer = Renderer::rasterizer;
+  Settings settings{.renderer = Renderer::rasterizer};
   settings.canvas_fill = fill;
   settings.precision = precision;
   settings.fill_rule = FillRule::inclusive;
@@ -48,7 +47,7 @@ Frame drawn(const Scene& scene, const Settings& settings, std::optional<TileRect
 double turn(Vec2i a, Vec2i b, Vec2i c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
 /// The hull of some pixels, from a random one of its vertices on, either way round; empty if they lie on a line.
-std::vector<Vec2i> random_hull(std::mt19937_64& random, int count, int reach_x, int reach_y) {
+std::vector<Vec2i> random_hull(std::mt19937& random, int count, int reach_x, int reach_y) {
   const auto pick = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
   std::vector<Vec2i> points;
   points.reserve(static_cast<std::size_t>(count));
@@ -112,17 +111,14 @@ TEST(CanvasFill, DrawsTheRowsThatTheLabPrints) {
 // of them, and beside them only pixels with a point of the polygon less than a pixel to the right and below; the colour
 // of every pixel is that of such a point.
 TEST(CanvasFill, RowsHoldTheFanAndEachPixelHasTheColourOfAPointInIt) {
-  const auto seed = test::test_seed();
-  SCOPED_TRACE("PIXELSCOPE_TEST_SEED=" + std::to_string(seed));
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> unit(0, 1);
+  test::SeededRandom random;
   int polygons = 0, more = 0;
   for (int trial = 0; trial < 300; ++trial) {
     const auto hull = random_hull(random, 3 + trial % 9, columns - 1, rows - 1);
     if (hull.empty()) continue;
     ++polygons;
     // A plane, so that the fan gives its exact value everywhere.
-    const double gx = unit(random) - 0.5, gy = unit(random) - 0.5;
+    const double gx = random.between(0, 1) - 0.5, gy = random.between(0, 1) - 0.5;
     std::vector<double> blue;
     blue.reserve(hull.size());
     for (const Vec2i& v : hull) blue.push_back(0.5 + (gx * v.x + gy * v.y) / 64);
@@ -190,10 +186,7 @@ std::map<std::pair<int, int>, Vec3d> by_hand(const std::vector<Vec2i>& pixels, c
 
 // Colours that lie in no plane: neither a fan nor rows can be right, and they differ.
 TEST(CanvasFill, BothPrecisionsGiveTheRowsByHandAndAFanDiffers) {
-  const auto seed = test::test_seed();
-  SCOPED_TRACE("PIXELSCOPE_TEST_SEED=" + std::to_string(seed));
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> unit(0, 1);
+  test::SeededRandom random;
   double farthest_from_fan = 0;
   for (int trial = 0; trial < 100; ++trial) {
     const auto hull = random_hull(random, 4 + trial % 7, columns - 1, rows - 1);
@@ -201,8 +194,8 @@ TEST(CanvasFill, BothPrecisionsGiveTheRowsByHandAndAFanDiffers) {
     CanvasPolygon polygon;
     std::vector<Vec3d> colours;
     for (const Vec2i& pixel : hull) {
-      const double h = unit(random);
-      const Vec3d colour{unit(random), unit(random), unit(random)};
+      const double h = random.between(0, 1);
+      const Vec3d colour{random.between(0, 1), random.between(0, 1), random.between(0, 1)};
       polygon.vertices.push_back({middle_of(pixel), colour, h});
       colours.push_back(colour * h);
     }
@@ -258,8 +251,7 @@ TEST(CanvasFill, TheStorySaysWhatTheKernelInterpolated) {
   const PixelStory story = inspect(scene, view, settings, pixel);
   EXPECT_EQ(Vec3f(story.linear), frame.colour.at(pixel.x, pixel.y));
   const PolygonEvent* found = nullptr;
-  for (const Event& event : story.events)
-    if (const auto* polygon = std::get_if<PolygonEvent>(&event.data)) found = polygon;
+  for (const auto* polygon : events_of<PolygonEvent>(story.events)) found = polygon;
   ASSERT_TRUE(found && found->row);
   EXPECT_EQ(found->item, 1);
   EXPECT_EQ(found->fill, CanvasFill::rows);

@@ -3,6 +3,7 @@
 
 #include "options/scene_settings.h"
 #include "raster/clear/coverage/efficiency.h"
+#include "render/story/story_tree.h"
 #include "scene/load.h"
 #include "support/render_once.h"
 
@@ -89,14 +90,13 @@ TEST(CoveragePictures, StoriesShowHowTheStrategyDecided) {
     const PixelStory story = inspect(pictures.scene, pictures.view, pictures.settings, pixel);
     EXPECT_EQ(Vec3f(story.linear), drawn);
     int decisions = 0;
-    for (const Event& event : story.events)
-      if (const auto* decision = std::get_if<CoverageEvent>(&event.data)) {
-        ++decisions;
-        EXPECT_EQ(decision->strategy, strategy);
-        EXPECT_TRUE(decision->covered);
-        EXPECT_GT(decision->tests, 0);
-        EXPECT_FALSE(decision->how.empty());
-      }
+    for (const auto* decision : events_of<CoverageEvent>(story.events)) {
+      ++decisions;
+      EXPECT_EQ(decision->strategy, strategy);
+      EXPECT_TRUE(decision->covered);
+      EXPECT_GT(decision->tests, 0);
+      EXPECT_FALSE(decision->how.empty());
+    }
     EXPECT_EQ(decisions > 0, strategy != Coverage::edge_function);
   }
 }

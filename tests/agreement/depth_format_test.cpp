@@ -7,8 +7,10 @@
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "raster/setup/depth_format.h"
+#include "render/story/story_tree.h"
 #include "scene/load.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 
 namespace ps::depth_format_test {
 namespace {
@@ -114,8 +116,7 @@ int fighting(const std::vector<std::string>& assignments) {
   truth.precision = Precision::float64;
   truth.depth_format = DepthFormat::plain;
   const Frame expected = draw(truth);
-  Settings settings = settings_for(scene);
-  for (const std::string& assignment : assignments) parse_assignment(assignment, settings);
+  Settings settings = settings_with(settings_for(scene), assignments);
   const Frame frame = draw(settings);
   int wrong = 0;
   for (int y = 0; y < 300; ++y)
@@ -143,11 +144,10 @@ TEST(ZFighting, InspectorShowsTheStoredSteps) {
   settings.depth_bits = 8;
   const PixelStory story = inspect(scene, {scene.camera, 600, 600}, settings, scene.start_pixel);
   int failed = 0;
-  for (const Event& event : story.events)
-    if (const auto* fragment = std::get_if<FragmentEvent>(&event.data)) {
-      EXPECT_EQ(fragment->depth_new, 255);  // round(255 (1 - 0.1 / 1000) / (1 - 0.1 / 10000))
-      failed += fragment->depth == FragmentEvent::Depth::failed;
-    }
+  for (const auto* fragment : events_of<FragmentEvent>(story.events)) {
+    EXPECT_EQ(fragment->depth_new, 255);  // round(255 (1 - 0.1 / 1000) / (1 - 0.1 / 10000))
+    failed += fragment->depth == FragmentEvent::Depth::failed;
+  }
   EXPECT_EQ(failed, 1);  // the orange sheet, drawn later, is not nearer
 }
 

@@ -11,6 +11,7 @@
 #include <random>
 
 #include "raster/base/depth_plane.h"
+#include "render/story/story_tree.h"
 #include "support/render_once.h"
 
 namespace ps::depth_plane_test {
@@ -50,8 +51,7 @@ Corners random_triangle(std::mt19937& random, Projection projection) {
 }
 
 Settings settings_with(DepthValue value, Projection projection, Precision precision) {
-  Settings settings;
-  settings.renderer = Renderer::rasterizer;
+  Settings settings{.renderer = Renderer::rasterizer};
   settings.lighting = false;
   settings.backface_culling = false;
   settings.depth_value = value;
@@ -94,10 +94,9 @@ double rounding_of_z(const Corners& c, const Vec2d& p, Projection projection, do
 /// What the pixel's only fragment put into the depth test; of several samples the first.
 std::optional<double> depth_at(const Scene& scene, const Settings& settings, Vec2i pixel) {
   const PixelStory story = inspect(scene, {scene.camera, size, size}, settings, pixel);
-  for (const Event& event : story.events)
-    if (const auto* fragment = std::get_if<FragmentEvent>(&event.data))
-      if (fragment->depth == FragmentEvent::Depth::passed && fragment->samples == fragment->samples_covered)
-        return fragment->depth_new.value();
+  for (const auto* fragment : events_of<FragmentEvent>(story.events))
+    if (fragment->depth == FragmentEvent::Depth::passed && fragment->samples == fragment->samples_covered)
+      return fragment->depth_new.value();
   return {};
 }
 

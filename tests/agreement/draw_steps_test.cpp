@@ -9,6 +9,7 @@
 #include "raster/base/multisample.h"
 #include "scene/load.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 
 namespace ps::draw_steps_test {
 namespace {
@@ -24,8 +25,7 @@ struct Drawing {
     view = {scene.camera, size, size};
   }
   Frame draw(std::initializer_list<const char*> assignments, Channel channels = Channel::none) const {
-    Settings changed = settings;
-    for (const char* assignment : assignments) parse_assignment(assignment, changed);
+    Settings changed = settings_with(settings, assignments);
     return render(scene, view, changed, request_for(channels));
   }
 };

@@ -6,6 +6,7 @@
 
 #include "raster/maps.h"
 #include "render/left_out.h"
+#include "render/story/story_tree.h"
 #include "scene/edit.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
@@ -30,8 +31,7 @@ Scene mirror_and_far_balls() {
 }
 
 Frame drawn(const Scene& scene, Renderer renderer, EnvironmentObjects objects = EnvironmentObjects::all) {
-  Settings settings;
-  settings.renderer = renderer;
+  Settings settings{.renderer = renderer};
   settings.shadows = Shadows::none;
   settings.reflection_depth = 1;
   settings.environment = Environment::cube_map;
@@ -89,8 +89,7 @@ TEST(EnvironmentObjects, LeavesOutThePixelsThatMirrorDynamicObjectsAndNoOthers) 
 
 TEST(EnvironmentObjects, KeepsTheMapWhileDynamicObjectsMove) {
   Scene scene = mirror_and_far_balls();
-  Settings settings;
-  settings.renderer = Renderer::rasterizer;
+  Settings settings{.renderer = Renderer::rasterizer};
   settings.environment = Environment::cube_map;
   settings.environment_size = 16;
   Prepared prepared;
@@ -209,8 +208,7 @@ TEST(EnvironmentObjects, TheMapOfTheRoomFollowsTheMark) {
 
 TEST(EnvironmentObjects, TheInspectorAndTheCaptionSayWhatIsLeftOut) {
   const Scene scene = load_scene("lab/mirror-room");
-  Settings settings;
-  settings.renderer = Renderer::rasterizer;
+  Settings settings{.renderer = Renderer::rasterizer};
   settings.environment = Environment::cube_map;
   settings.environment_size = 32;
   for (const EnvironmentObjects choice : {EnvironmentObjects::all, EnvironmentObjects::fixed}) {
@@ -218,11 +216,10 @@ TEST(EnvironmentObjects, TheInspectorAndTheCaptionSayWhatIsLeftOut) {
     const int expected = choice == EnvironmentObjects::fixed ? 1 : 0;
     const PixelStory story = inspect(scene, {scene.camera, 60, 60}, settings, {30, 33});
     int maps = 0;
-    for (const Event& event : story.events)
-      if (const auto* map = std::get_if<EnvironmentEvent>(&event.data)) {
-        ++maps;
-        EXPECT_EQ(map->left_out, expected);
-      }
+    for (const auto* map : events_of<EnvironmentEvent>(story.events)) {
+      ++maps;
+      EXPECT_EQ(map->left_out, expected);
+    }
     EXPECT_EQ(maps, 1);
     const std::string words = left_out_words(scene_traits(scene), settings);
     EXPECT_EQ(words.find("dynamic objects") != std::string::npos, expected == 1) << words;

@@ -8,6 +8,7 @@
 #include "raster/shadow/cube_face.h"
 #include "scene/load.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 
 namespace ps::environment_test {
 namespace {
@@ -120,8 +121,7 @@ TEST(Environment, MapsHoldWhatRaysSee) {
   empty.geometry.edit([&](Geometry& g) {
     std::erase_if(g.objects, [](const Object& o) { return std::holds_alternative<Sphere>(o.shape); });
   });
-  Settings rays = settings_for(empty);
-  rays.renderer = Renderer::ray_tracer;
+  Settings rays = settings_for(empty, Renderer::ray_tracer);
   rays.near = 1e-3;
   rays.shadows = Shadows::none;
   int wrong = 0;

@@ -85,8 +85,7 @@ std::vector<Renderer> renderers() {
 }
 
 Settings settings_of(Renderer renderer, const std::vector<std::string>& assignments) {
-  Settings settings;
-  settings.renderer = renderer;
+  Settings settings{.renderer = renderer};
   settings.environment = Environment::cube_map;
   settings.environment_size = 64;
   settings.shadow_map_size = 128;

@@ -17,11 +17,10 @@
 #include "support/emulated.h"
 #include "support/option_contexts.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 
-namespace fast_path_test {
+namespace ps::fast_path_test {
 namespace {
-
-using namespace ps;
 
 constexpr int width = 24, height = 18;
 
@@ -62,8 +61,7 @@ TEST(FastPath, IsWhatDrawsInAllOptionContexts) {
     const Scene scene = load_scene(context.scene);
     const SceneTraits traits = scene_traits(scene);
     Prepared prepared;
-    Settings base = settings_for(scene);
-    for (const std::string& assignment : context.assignments) parse_assignment(assignment, base);
+    Settings base = settings_with(settings_for(scene), context.assignments);
     for (const Channel channels : {Channel::ids | Channel::depth, Channel::normal, Channel::tests, Channel::samples})
       seen.insert(expect_drawn_as_predicted(scene, traits, base, channels, prepared));
     for (std::size_t i = 0; i < option_table().size(); i += test::trial_step()) {
@@ -89,8 +87,7 @@ TEST(FastPath, IsWhatDrawsInAllOptionContexts) {
 Frame drawn(const std::string& name, const std::vector<std::string>& assignments,
             const std::optional<TileRect>& region = {}) {
   const Scene scene = load_scene(name);
-  Settings settings = settings_for(scene);
-  for (const std::string& assignment : assignments) parse_assignment(assignment, settings);
+  Settings settings = settings_with(settings_for(scene), assignments);
   return render(scene, {scene.camera, width, height}, settings, request_for(Channel::none, region));
 }
 
@@ -125,4 +122,4 @@ TEST(FastPath, ReasonsNameWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace fast_path_test
+}  // namespace ps::fast_path_test

@@ -6,15 +6,14 @@
 #include <utility>
 
 #include "inspect/describe.h"
+#include "render/story/story_tree.h"
 #include "scene/scene_file.h"
 #include "scene/world.h"
 #include "support/all_accelerators.h"
 #include "support/render_once.h"
 
-namespace mirrored_instance_test {
+namespace ps::mirrored_instance_test {
 namespace {
-
-using namespace ps;
 
 /// A teapot with vertex normals, and a wedge without, seen from its front alone; each in one of the transforms below.
 std::string scene_with(const std::string& transform, const std::string& sides) {
@@ -102,8 +101,7 @@ TEST(MirroredInstance, RaysSeeItsFrontsInEveryAccelerator) {
 }
 
 TEST(MirroredInstance, TheRasterizerDrawsItsFronts) {
-  Settings settings;
-  settings.renderer = Renderer::rasterizer;
+  Settings settings{.renderer = Renderer::rasterizer};
   for (const bool culling : {true, false})
     for (const Simd simd : {Simd::automatic, Simd::off})
       for (const Shading shading : {Shading::phong, Shading::gouraud, Shading::flat}) {
@@ -129,8 +127,7 @@ TEST(MirroredInstance, TheRasterizerDrawsItsFronts) {
 
 TEST(MirroredInstance, ListingsDrawItsFronts) {
   for (const bool lighting : {true, false}) {
-    Settings settings;
-    settings.renderer = Renderer::textbook;
+    Settings settings{.renderer = Renderer::textbook};
     settings.lighting = lighting;
     expect_as_by_hand(settings, "textbook");
   }
@@ -145,8 +142,7 @@ TEST(MirroredInstance, StandsInAGroupThatMirrors) {
       "group.scene", ".");
   EXPECT_TRUE(mirrors(std::get<Instance>(group.geometry->objects[0].shape).transform));
   for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
-    Settings settings;
-    settings.renderer = renderer;
+    Settings settings{.renderer = renderer};
     EXPECT_LE(differing(picture_of(group, settings), picture_of(mirrored_by_hand(group), settings)), 3);
   }
 }
@@ -155,22 +151,17 @@ TEST(MirroredInstance, TheInspectorSaysThatItsFrontIsSeen) {
   const Scene scene = parse_scene(scene_with(mirrors_of_space[0], ""), "mirrored.scene", ".");
   int hits = 0;
   for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
-    Settings settings;
-    settings.renderer = renderer;
+    Settings settings{.renderer = renderer};
     const PixelStory story = inspect(scene, {scene.camera, 48, 36}, settings, {18, 19});
-    for (const Event& event : story.events) {
-      if (const auto* hit = std::get_if<HitEvent>(&event.data)) {
-        EXPECT_FALSE(hit->back_face);
-        hits += hit->id.object == 1 ? 1 : 0;
-      }
-      if (const auto* fragment = std::get_if<FragmentEvent>(&event.data)) {
-        EXPECT_FALSE(fragment->back_face);
-        hits += fragment->id.object == 1 ? 1 : 0;
-      }
-    }
+    const auto count = [&](const auto* seen) {
+      EXPECT_FALSE(seen->back_face);
+      hits += seen->id.object == 1 ? 1 : 0;
+    };
+    for (const auto* hit : events_of<HitEvent>(story.events)) count(hit);
+    for (const auto* fragment : events_of<FragmentEvent>(story.events)) count(fragment);
   }
   EXPECT_GE(hits, 2);
 }
 
 }  // namespace
-}  // namespace mirrored_instance_test
+}  // namespace ps::mirrored_instance_test

@@ -5,6 +5,7 @@
 #include "options/scene_settings.h"
 #include "render/render.h"
 #include "scene/scene_file.h"
+#include "support/settings_with.h"
 #include "support/simd_targets.h"
 
 namespace ps::nan_count_test {
@@ -22,8 +23,7 @@ light { type = ambient  intensity = 1 }
   targets.push_back(Simd::off);
   for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer})
     for (const Simd target : targets) {
-      Settings settings = settings_for(scene);
-      settings.renderer = renderer;
+      Settings settings = settings_for(scene, renderer);
       settings.simd = target;
       const Frame frame = render(scene, {scene.camera, 90, 70}, settings);
       EXPECT_GT(frame.counters[Counter::nan_pixels], 300U);

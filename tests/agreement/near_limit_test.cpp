@@ -5,10 +5,8 @@
 #include "support/all_accelerators.h"
 #include "support/render_once.h"
 
-namespace near_limit_test {
+namespace ps::near_limit_test {
 namespace {
-
-using namespace ps;
 
 std::string wall_at(double z, bool triangles) {
   const std::string d = std::to_string(z);
@@ -62,8 +60,7 @@ TEST(NearLimit, IsClosedForRays) {
 
 TEST(NearLimit, IsClosedForTheRasterizer) {
   for (const Precision precision : {Precision::float32, Precision::float64}) {
-    Settings settings;
-    settings.renderer = Renderer::rasterizer;
+    Settings settings{.renderer = Renderer::rasterizer};
     settings.backface_culling = false;
     settings.precision = precision;
     expect_closed_limits(settings, "rasterizer");
@@ -86,4 +83,4 @@ TEST(NearLimit, IsClosedForSpheres) {
 }
 
 }  // namespace
-}  // namespace near_limit_test
+}  // namespace ps::near_limit_test

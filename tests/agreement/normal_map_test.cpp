@@ -15,13 +15,12 @@
 #include "scene/scene_file.h"
 #include "support/render_once.h"
 #include "support/same_bits.h"
+#include "support/settings_with.h"
 #include "support/simd_targets.h"
 #include "textbook/listing_events.h"
 
-namespace normal_map_test {
+namespace ps::normal_map_test {
 namespace {
-
-using namespace ps;
 
 Frame rendered(const Scene& scene, const Settings& settings, int size = 80) {
   return render(scene, View{scene.camera, size, size}, settings, request_for(Channel::normal | Channel::ids));
@@ -74,8 +73,7 @@ TEST(NormalMap, AConstantMapIsAVertexNormal) {
                   normal.x, normal.y, normal.z, normal.x, normal.y, normal.z, normal.x, normal.y, normal.z);
     const Scene mapped = quad("", Vec3f(tilt * 0.5 + Vec3d(0.5))), tilted = quad(text, Vec3f(0));
     for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
-      Settings settings;
-      settings.renderer = renderer;
+      Settings settings{.renderer = renderer};
       settings.precision = Precision::float64;
       settings.shadows = Shadows::none;
       const Frame a = rendered(mapped, settings), b = rendered(tilted, settings);
@@ -132,8 +130,7 @@ TEST(NormalMap, ColoursAreThoseOfTheListing) {
   for (const char* name : {"chapters/cgfs_15_relief/mirrored.scene", "cgfs/relief"}) {
     const Scene scene = load_scene(name);
     const View view{scene.camera, 300, 200};
-    Settings listed = settings_for(scene);
-    for (const char* change : {"renderer=textbook", "listing=cgfs-15-relief"}) parse_assignment(change, listed);
+    Settings listed = settings_with(settings_for(scene), {"renderer=textbook", "listing=cgfs-15-relief"});
     const Settings drawn = settings_as_listed(listing_of(listed, scene_traits(scene)), scene, listed);
     EXPECT_TRUE(drawn.normal_mapping);
     Settings flat = drawn, bug = listed;
@@ -179,8 +176,7 @@ TEST(NormalMap, RaysAgreeOnFastAndClearPath) {
 /// For fragments there is nothing to compare: with a normal map the rasterizer takes the clear path, whatever the SIMD
 /// target. The map alone is the reason.
 TEST(NormalMap, FragmentsTakeTheClearPath) {
-  Settings settings;
-  settings.renderer = Renderer::rasterizer;
+  Settings settings{.renderer = Renderer::rasterizer};
   EXPECT_FALSE(test::took_fast_frame(brick_wall(settings, Simd::automatic)));
   if (test::simd_targets().empty()) GTEST_SKIP() << "this processor has no SIMD target";
   settings.normal_mapping = false;
@@ -227,4 +223,4 @@ TEST(HeightMap, APlaneOfHeightsTiltsByItsSlope) {
 }
 
 }  // namespace
-}  // namespace normal_map_test
+}  // namespace ps::normal_map_test

@@ -7,19 +7,18 @@
 
 #include "options/option.h"
 #include "options/scene_settings.h"
+#include "render/story/story_tree.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
 #include "scene/scene_text.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 
-namespace outlines_test {
+namespace ps::outlines_test {
 namespace {
 
-using namespace ps;
-
 Frame picture(const Scene& scene, int side, const std::vector<std::string>& assignments) {
-  Settings settings = settings_for(scene);
-  for (const std::string& assignment : assignments) parse_assignment(assignment, settings);
+  Settings settings = settings_with(settings_for(scene), assignments);
   return render(scene, {scene.camera, side, side}, settings, {});
 }
 
@@ -146,18 +145,17 @@ TEST(Outlines, AskForNoDepth) {
 // The story of a pixel on an edge: the fragment, then the line over it.
 TEST(Outlines, AreInTheStory) {
   const Scene scene = load_scene("cgfs/cubes");
-  Settings settings = settings_for(scene);
-  for (const std::string& assignment : with(book, {"draw=outlined"})) parse_assignment(assignment, settings);
+  Settings settings = settings_with(settings_for(scene), with(book, {"draw=outlined"}));
   const View view{scene.camera, 150, 150};
   const Frame frame = render(scene, view, settings, {});
-  int lines = 0;
+  std::size_t lines = 0;
   for (int y = 2; y < 150; y += 14)
     for (int x = 2; x < 150; x += 4) {
       const PixelStory story = inspect(scene, view, settings, {x, y});
       EXPECT_EQ(story.linear, frame.colour_double.at(x, y)) << x << ", " << y;
-      for (const Event& event : story.events) lines += std::holds_alternative<LineEvent>(event.data);
+      lines += events_of<LineEvent>(story.events).size();
     }
-  EXPECT_GT(lines, 10);
+  EXPECT_GT(lines, 10u);
 }
 
 TEST(Diffuse, SpecularAloneIsThatOfTheListing) {
@@ -175,4 +173,4 @@ TEST(Diffuse, SpecularAloneIsThatOfTheListing) {
 }
 
 }  // namespace
-}  // namespace outlines_test
+}  // namespace ps::outlines_test

@@ -11,10 +11,8 @@
 #include "scene/scene_file.h"
 #include "support/render_once.h"
 
-namespace parallax_test {
+namespace ps::parallax_test {
 namespace {
-
-using namespace ps;
 
 constexpr int columns = 120, rows = 80;
 
@@ -23,8 +21,7 @@ Frame rendered(const Scene& scene, const Settings& settings) {
 }
 
 Settings settings_with(Renderer renderer, Parallax parallax, int steps = 64) {
-  Settings settings;
-  settings.renderer = renderer;
+  Settings settings{.renderer = renderer};
   settings.precision = Precision::float64;
   settings.near = 0.01;
   settings.backface_culling = false;
@@ -245,4 +242,4 @@ TEST(Parallax, RoundThingsUseTheirOwnLengths) {
 }
 
 }  // namespace
-}  // namespace parallax_test
+}  // namespace ps::parallax_test

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "base/enumerators.h"
 #include "frame/display_frame.h"
 #include "inspect/parting/parting.h"
 #include "options/option.h"
@@ -114,7 +115,7 @@ void look_at(Pair& pair, const Option& option, int side, OptionNumber value, Nam
     else
       named.wrong.push_back(fmt::format("{}={} in {}'s picture, pixel {},{} [{}]: {}", option.key,
                                         option_text(option, changed), side == 0 ? "the ray tracer" : "the rasterizer",
-                                        pixel.x, pixel.y, parting_cause_key(parting.cause), parting.sentence));
+                                        pixel.x, pixel.y, enumerator_key(parting.cause), parting.sentence));
   }
 }
 

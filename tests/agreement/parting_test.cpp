@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/enumerators.h"
 #include "document/document.h"
 #include "frame/display_frame.h"
 #include "image/display.h"
@@ -15,6 +16,7 @@
 #include "scene/load.h"
 #include "scene/scene_file.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 
 namespace ps::parting_test {
 namespace {
@@ -187,10 +189,7 @@ const std::vector<PreparedPair>& prepared_pairs() {
 }
 
 Settings settings_of(const Scene& scene, const PreparedPair& pair, const std::vector<std::string>& own) {
-  Settings settings = settings_for(scene);
-  for (const std::string& assignment : pair.both) parse_assignment(assignment, settings);
-  for (const std::string& assignment : own) parse_assignment(assignment, settings);
-  return settings;
+  return settings_with(settings_with(settings_for(scene), pair.both), own);
 }
 
 /// Pixels at which the two stored pictures differ, at most `count`, spread over all of them.
@@ -235,7 +234,7 @@ TEST_P(PreparedPairs, PartForTheReasonThatWasBuiltIn) {
     if (parting.cause == pair.cause)
       ++right;
     else
-      ++others[std::string(parting_cause_key(parting.cause)) + " at " + std::to_string(pixel.x) + "," +
+      ++others[std::string(enumerator_key(parting.cause)) + " at " + std::to_string(pixel.x) + "," +
                std::to_string(pixel.y) + ": " + parting.sentence];
   }
   std::ostringstream said;

@@ -9,19 +9,17 @@
 #include "scene/load.h"
 #include "scene/scene_file.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 
-namespace shadow_bias_test {
+namespace ps::shadow_bias_test {
 namespace {
-
-using namespace ps;
 
 Frame shadow_picture(const Scene& scene, const Settings& settings) {
   return render(scene, {scene.camera, 120, 80}, settings, request_for(Channel::ids | Channel::shadow));
 }
 
 Settings with_maps(int size, int filter) {
-  Settings settings;
-  settings.renderer = Renderer::rasterizer;
+  Settings settings{.renderer = Renderer::rasterizer};
   settings.shadows = Shadows::map;
   settings.shadow_map_size = size;
   settings.shadow_filter = filter;
@@ -85,8 +83,7 @@ TEST(ShadowBias, ByDefaultShadowsAreThoseOfShadowRays) {
   for (const char* name : {"cgfs/shadows", "cgfs/shading", "cgfs/crates", "lab/cornell", "lab/inside-shadow",
                            "lab/stacked-shadows", "lab/tea-party", "lab/shadow-acne", "octree/attenuation"}) {
     const Scene scene = load_scene(name);
-    Settings rays = settings_for(scene);
-    rays.renderer = Renderer::ray_tracer;
+    Settings rays = settings_for(scene, Renderer::ray_tracer);
     rays.shadows = Shadows::traced;
     rays.reflection_depth = 0;
     const Frame traced = shadow_picture(scene, rays);
@@ -112,4 +109,4 @@ TEST(ShadowBias, ByDefaultShadowsAreThoseOfShadowRays) {
 }
 
 }  // namespace
-}  // namespace shadow_bias_test
+}  // namespace ps::shadow_bias_test

@@ -7,10 +7,8 @@
 #include "render/render.h"
 #include "scene/scene_file.h"
 
-namespace sphere_far_side_test {
+namespace ps::sphere_far_side_test {
 namespace {
-
-using namespace ps;
 
 /// Half of the sphere lies nearer than the near plane: only the inside of its far half is seen.
 const char* const cut_sphere = R"(
@@ -67,8 +65,7 @@ TEST(SphereFarSide, CastsStencilShadowsThatFinerTrianglesDoNotMakeWorse) {
   const Scene scene = parse_scene(sphere_over_a_floor, "floor.scene", ".");
   const View view{scene.camera, 250, 250};
   const Frame rays = render(scene, view, Settings());
-  Settings settings;
-  settings.renderer = Renderer::rasterizer;
+  Settings settings{.renderer = Renderer::rasterizer};
   for (const Shadows shadows : {Shadows::stencil_depth_fail, Shadows::stencil_depth_pass}) {
     settings.shadows = shadows;
     settings.tessellation = 0.5;
@@ -114,4 +111,4 @@ TEST(SphereFarSide, IsAClosedSurfaceOfTheSpheresVolume) {
 }
 
 }  // namespace
-}  // namespace sphere_far_side_test
+}  // namespace ps::sphere_far_side_test

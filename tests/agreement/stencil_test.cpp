@@ -6,6 +6,7 @@
 #include "options/scene_settings.h"
 #include "scene/load.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 
 namespace ps::stencil_test {
 namespace {
@@ -28,8 +29,7 @@ double wrong_share(const Frame& a, const Frame& b, int object, int light) {
 }
 
 Settings with(const Scene& scene, Renderer renderer, Shadows shadows) {
-  Settings settings = settings_for(scene);
-  settings.renderer = renderer;
+  Settings settings = settings_for(scene, renderer);
   settings.shadows = shadows;
   return settings;
 }

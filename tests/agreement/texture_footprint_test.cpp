@@ -9,6 +9,7 @@
 #include "options/scene_settings.h"
 #include "scene/load.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 #include "textbook/listing_events.h"
 
 namespace ps::texture_footprint_test {
@@ -19,8 +20,7 @@ constexpr int size = 160;
 Scene floor_scene() { return load_scene((chapter_dir() / "cgfs_14_mipmaps" / "floor.scene").string()); }
 
 Settings raster_settings(const Scene& scene) {
-  Settings settings = settings_for(scene);
-  settings.renderer = Renderer::rasterizer;
+  Settings settings = settings_for(scene, Renderer::rasterizer);
   return settings;
 }
 
@@ -99,8 +99,7 @@ TEST(TextureFootprint, ColoursAreThoseOfTheListing) {
   const Scene scene = floor_scene();
   constexpr int side = 200;  // then the vertices are at whole pixels, and the rasterizer rounds none
   for (const char* bias : {"mip-bias=0", "mip-bias=3", "mip-bias=-1.5"}) {
-    Settings listed = settings_for(scene);
-    for (const char* change : {"renderer=textbook", "listing=cgfs-14-mipmaps", bias}) parse_assignment(change, listed);
+    Settings listed = settings_with(settings_for(scene), {"renderer=textbook", "listing=cgfs-14-mipmaps", bias});
     const Settings drawn = settings_as_listed(listing_of(listed, scene_traits(scene)), scene, listed);
     const Frame a = draw(scene, listed, side), b = draw(scene, drawn, side);
     double most = 0, least = 1;

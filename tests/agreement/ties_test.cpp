@@ -14,6 +14,7 @@
 #include "scene/scene_file.h"
 #include "support/emulated.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 #include "support/simd_targets.h"
 
 namespace ps::ties_test {
@@ -88,10 +89,7 @@ Scene scene_of(const std::vector<std::string>& objects) {
 }
 
 Frame draw(const Scene& scene, int size, const std::vector<std::string>& way) {
-  Settings settings;
-  for (const char* assignment : {"backface-culling=off", "lighting=off", "far=16"})
-    parse_assignment(assignment, settings);
-  for (const std::string& assignment : way) parse_assignment(assignment, settings);
+  Settings settings = settings_with(settings_with({}, {"backface-culling=off", "lighting=off", "far=16"}), way);
   return render(scene, {scene.camera, size, size}, settings, request_for(Channel::ids | Channel::depth));
 }
 

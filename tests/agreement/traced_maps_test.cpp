@@ -10,6 +10,7 @@
 #include "options/scene_settings.h"
 #include "raster/shadow/shadow_map.h"
 #include "render/fast_path.h"
+#include "render/story/story_tree.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
 #include "support/render_once.h"
@@ -36,13 +37,6 @@ Settings by_fragments(Settings settings) {
 
 Frame shadow_picture(const Scene& scene, const Settings& settings, int width = 120, int height = 80) {
   return render(scene, {scene.camera, width, height}, settings, request_for(Channel::ids | Channel::shadow));
-}
-
-std::vector<ShadowMapEvent> lookups_of(const PixelStory& story) {
-  std::vector<ShadowMapEvent> all;
-  for (const Event& event : story.events)
-    if (const auto* one = std::get_if<ShadowMapEvent>(&event.data)) all.push_back(*one);
-  return all;
 }
 
 /// Does a small step of the point change what it is compared with, or the outcome? Then it lies at a border of texels,
@@ -78,9 +72,9 @@ Compared compare(const Scene& scene, const Settings& rays) {
         continue;
       }
       bool edge = false;
-      for (const ShadowMapEvent& event :
-           lookups_of(inspect(scene, {scene.camera, traced.width(), traced.height()}, rays, {x, y})))
-        edge = edge || event.outside || is_on_the_edge(event, 0.02, 1e-5);
+      const PixelStory story = inspect(scene, {scene.camera, traced.width(), traced.height()}, rays, {x, y});
+      for (const auto* event : events_of<ShadowMapEvent>(story.events))
+        edge = edge || event->outside || is_on_the_edge(*event, 0.02, 1e-5);
       all.unexplained += edge ? 0 : 1;
     }
   return all;
@@ -301,7 +295,7 @@ TEST(TracedMaps, StoriesLookUpThePointOfTheirRay) {
       ASSERT_EQ(Vec3f(story.linear), frame.colour.at(x, y));
       EXPECT_EQ(*story.counters.get(Counter::shadow_rays), 0u);
       std::size_t taps = 0;  // a point beside the map needs none
-      for (const ShadowMapEvent& event : lookups_of(story)) taps += event.outside ? 0 : 9;
+      for (const auto* event : events_of<ShadowMapEvent>(story.events)) taps += event->outside ? 0 : 9;
       EXPECT_EQ(*story.counters.get(Counter::shadow_map_taps), taps);
       std::uint32_t mask = 0;
       for (const Event& event : story.events) {

@@ -15,6 +15,7 @@
 #include "base/check.h"
 #include "raytrace/clear/intersector-inl.h"
 #include "raytrace/fast/fast_intersector.h"
+#include "study/stability/plain_scene.h"
 #include "support/all_accelerators.h"
 #include "support/simd_targets.h"
 
@@ -182,10 +183,7 @@ Scene hostile_scene(int triangles, const Draws& draw) {
   for (int i = 0; i < 12; ++i)
     geometry.objects.push_back({"ball", Sphere{vector(1), std::pow(10, number() * 12 - 12), 0}});
   geometry.objects.push_back({"box", Solid{Brick{vector(1), {1e-22, 1, 1e5}}}});
-  Scene scene;
-  scene.geometry = Part<Geometry>(std::move(geometry));
-  scene.materials = Part<std::vector<Material>>({Material{}});
-  return scene;
+  return plain_scene(std::move(geometry));
 }
 
 void search_scene(const Scene& scene, const Settings& settings, int rays, const Draws& draw) {

@@ -20,8 +20,7 @@ namespace {
 using namespace ps;
 
 Settings book_settings() {
-  Settings settings;
-  settings.renderer = Renderer::rasterizer;
+  Settings settings{.renderer = Renderer::rasterizer};
   settings.sample_position = SamplePosition::corner;
   settings.precision = Precision::float64;
   return settings;

@@ -10,15 +10,12 @@
 #include "scene/load.h"
 #include "support/golden.h"
 
-namespace traced_book_test {
+namespace ps::traced_book_test {
 namespace {
-
-using namespace ps;
 
 /// The book's arithmetic: double, its quadratic formula, its epsilon and its pixel corners.
 Settings book_settings() {
-  Settings settings;
-  settings.renderer = Renderer::ray_tracer;
+  Settings settings{.renderer = Renderer::ray_tracer};
   settings.sample_position = SamplePosition::corner;
   settings.precision = Precision::float64;
   settings.sphere_test = SphereTest::quadratic;
@@ -67,4 +64,4 @@ TEST(TracedBook, ShadowsAndOneReflection) {
 }
 
 }  // namespace
-}  // namespace traced_book_test
+}  // namespace ps::traced_book_test

@@ -10,15 +10,14 @@
 
 #include "base/machine.h"
 #include "raytrace/fast/fast_intersector.h"
+#include "study/stability/plain_scene.h"
 #include "support/closed_sphere.h"
 #include "support/same_bits.h"
 #include "support/simd_targets.h"
 #include "support/trials.h"
 
-namespace accelerator_property_test {
+namespace ps::accelerator_property_test {
 namespace {
-
-using namespace ps;
 
 struct Place {
   const char* name;
@@ -75,10 +74,7 @@ Scene aimed_scene(const Place& place, unsigned seed) {
   Instance instance;
   instance.sides = sides_of(seed);
   geometry.objects.insert(geometry.objects.begin() + 5, {"mesh", instance});
-  Scene scene;
-  scene.geometry = Part<Geometry>(std::move(geometry));
-  scene.materials = Part<std::vector<Material>>({Material{}});
-  return scene;
+  return plain_scene(std::move(geometry));
 }
 
 template <class Real>
@@ -430,4 +426,4 @@ TEST(Accelerators, AnOctreeOfMiddlesLosesHits) {
 }
 
 }  // namespace
-}  // namespace accelerator_property_test
+}  // namespace ps::accelerator_property_test

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/check.h"
+#include "base/enumerators.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "scene/load.h"
@@ -65,9 +66,9 @@ TEST_P(BareScenes, AreDrawnAndToldUnderEveryOption) {
   const std::vector<BuiltinScene>& scenes = builtin_scenes();
   int pictures = 0;
   for (auto i = static_cast<std::size_t>(GetParam()); i < scenes.size(); i += parts * test::list_step)
-    for (const test::Bare what : test::all_bare) {
+    for (const test::Bare what : all_enumerators<test::Bare>) {
       const Scene scene = test::bare_scene(load_scene(scenes[i].name), what);
-      pictures += draw_under_every_option(scene, scenes[i].name + " " + std::string(test::bare_name(what)));
+      pictures += draw_under_every_option(scene, scenes[i].name + " " + std::string(enumerator_key(what)));
     }
   EXPECT_GT(pictures, 200);
 }

@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "base/enumerators.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "scene/load.h"
@@ -79,9 +80,10 @@ std::optional<Subject> random_subject(Random& random, Numbers numbers) {
     subject.words = fmt::format("random_scene({})", seed);
   }
   if (below(random, 4) == 0) {
-    const test::Bare what = test::all_bare[static_cast<std::size_t>(below(random, int(test::all_bare.size())))];
+    const test::Bare what =
+        all_enumerators<test::Bare>[static_cast<std::size_t>(below(random, int(all_enumerators<test::Bare>.size())))];
     scene = test::bare_scene(std::move(scene), what);
-    subject.words += std::string(" ") + std::string(test::bare_name(what));
+    subject.words += std::string(" ") + std::string(enumerator_key(what));
   }
   subject.scene = std::make_shared<const Scene>(std::move(scene));
   subject.view = {subject.scene->camera, 16 + below(random, 33), 12 + below(random, 25)};

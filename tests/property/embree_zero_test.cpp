@@ -15,12 +15,11 @@
 #include "scene/load.h"
 #include "support/environment.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 #include "support/trials.h"
 
-namespace embree_zero_test {
+namespace ps::embree_zero_test {
 namespace {
-
-using namespace ps;
 
 /// From anywhere to a point of a triangle, but in the plane of a corner (`zeros` = 1), or in two such planes.
 Ray<float> level_ray(const TracedGeometry<float>& geometry, std::mt19937& random, int zeros) {
@@ -88,8 +87,7 @@ TEST(EmbreeZero, LevelRaysFindWhatTestingEverythingFinds) {
 TEST(EmbreeZero, TheMiddleRowOfThePictureIsWhole) {
   if (!has_embree()) GTEST_SKIP() << "Embree is not compiled in";
   const Scene scene = load_scene("cgfs/crates");
-  Settings settings = settings_for(scene);
-  settings.renderer = Renderer::ray_tracer;
+  Settings settings = settings_for(scene, Renderer::ray_tracer);
   Prepared prepared;
   const auto ids = [&](Accelerator accelerator) {
     settings.accelerator = accelerator;
@@ -101,4 +99,4 @@ TEST(EmbreeZero, TheMiddleRowOfThePictureIsWhole) {
 }
 
 }  // namespace
-}  // namespace embree_zero_test
+}  // namespace ps::embree_zero_test

@@ -27,8 +27,7 @@ Frame draw(const Scene& scene, const Settings& settings, int width, int height) 
 TEST(FastFrame, DrawsEveryWidth) {
   std::mt19937 random(7);
   const Scene scene = test::triangle_soup(random);
-  Settings settings;
-  settings.renderer = Renderer::rasterizer;
+  Settings settings{.renderer = Renderer::rasterizer};
   for (int width = 1; width < 140; width += width < 20 ? 1 : 7) {
     settings.simd = Simd::off;
     const Frame clear = draw(scene, settings, width, 66);
@@ -50,8 +49,7 @@ TEST(FastFrame, GivesTheLevelsOfItsColours) {
   for (const Size size : {Size{131, 70}, {640, 600}, {603, 640}})
     for (std::size_t choice = 0; choice < displays.size(); choice += test::list_step) {
       const std::string& display = displays[choice];
-      Settings settings;
-      settings.renderer = Renderer::rasterizer;
+      Settings settings{.renderer = Renderer::rasterizer};
       parse_assignment(display, settings);
       settings.simd = Simd::off;
       const Frame clear = draw(scene, settings, size.width, size.height);

@@ -22,12 +22,11 @@
 #include "render/channel_picture.h"
 #include "render/render.h"
 #include "scene/load.h"
-#include "support/environment.h"
+#include "support/seeded_random.h"
+#include "support/settings_with.h"
 
-namespace field_test {
+namespace ps::field_test {
 namespace {
-
-using namespace ps;
 
 /// The kinds of the rays above an event without the eye's, and the fragment around it.
 std::pair<std::vector<RayKind>, int> around(const PixelStory& story, int event) {
@@ -85,8 +84,7 @@ struct Case {
 
 void expect_as_in_stories(const Case& one, std::mt19937& random) {
   const Scene scene = load_scene(one.scene);
-  Settings settings = settings_for(scene);
-  for (const std::string& setting : one.settings) parse_assignment(setting, settings);
+  Settings settings = settings_with(settings_for(scene), one.settings);
   const View view{scene.camera, 48, 40};
   Prepared prepared;
   Progress progress;
@@ -141,9 +139,7 @@ TEST(Field, IsTheNumberOfEveryPixelsStory) {
                                 {"lab/z-fighting", {r, "visibility=painter"}},
                                 {"cgfs/depth", {r, "visibility=draw-order"}},
                                 {"cgfs/reflections", {r, "light-passes=many", "early-depth=on"}}};
-  const unsigned seed = ps::test::test_seed();
-  SCOPED_TRACE(seed);
-  std::mt19937 random(seed);
+  test::SeededRandom random;
   for (const Case& one : cases) expect_as_in_stories(one, random);
 }
 
@@ -190,4 +186,4 @@ TEST(Field, RefusesWhatItCannotRead) {
 }
 
 }  // namespace
-}  // namespace field_test
+}  // namespace ps::field_test

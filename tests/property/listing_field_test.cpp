@@ -12,13 +12,11 @@
 #include "options/scene_settings.h"
 #include "render/render.h"
 #include "scene/load.h"
-#include "support/environment.h"
+#include "support/seeded_random.h"
 #include "textbook/listing_field.h"
 
-namespace listing_field_test {
+namespace ps::listing_field_test {
 namespace {
-
-using namespace ps;
 
 /// The loops around a watch, the innermost first, up to the work for a pixel, whose index ends them; empty: in none.
 std::vector<int> loops_to_work(const ListingTrace& trace, int instance) {
@@ -104,9 +102,7 @@ void expect_as_in_traces(const Case& one, std::mt19937& random) {
 }
 
 TEST(ListingField, IsTheNumberOfEveryTrace) {
-  const unsigned seed = test::test_seed();
-  SCOPED_TRACE(seed);
-  std::mt19937 random(seed);
+  test::SeededRandom random;
   for (const Case& one :
        {Case{"cgfs/spheres", "cgfs-02-basic-ray-tracing"}, Case{"cgfs/reflections", "cgfs-04-shadows-and-reflections"},
         Case{"cgfs/cubes", "cgfs-11-clipping"}, Case{"cgfs/cubes", "cgfs-10-scenes"},
@@ -125,4 +121,4 @@ TEST(ListingField, OnlyTheRendererThatHasItShowsIt) {
 }
 
 }  // namespace
-}  // namespace listing_field_test
+}  // namespace ps::listing_field_test

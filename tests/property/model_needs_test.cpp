@@ -24,12 +24,11 @@
 #include "study/worst_tile.h"
 #include "support/environment.h"
 #include "support/run_cli.h"
+#include "support/seeded_random.h"
 #include "support/trials.h"
 
-namespace model_needs_test {
+namespace ps::model_needs_test {
 namespace {
-
-using namespace ps;
 
 constexpr const char* looks_along_z =
     "canvas_size = 64 x 64\nviewport_size = 1 x 1\nprojection_plane_d = 1\nbackground = black\n";
@@ -162,9 +161,7 @@ TEST(ModelNeeds, AShadowOfAnObjectBehindTheCameraStays) {
 }
 
 TEST(ModelNeeds, OfTwelveLightsTheTwoThatMatterStay) {
-  const unsigned seed = test::test_seed();
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 random(seed);
+  test::SeededRandom random;
   std::vector<std::size_t> order(12);
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::shuffle(order.begin(), order.end(), random);
@@ -389,4 +386,4 @@ TEST(ModelNeeds, AnObjFileHoldsTheSameMesh) {
 }
 
 }  // namespace
-}  // namespace model_needs_test
+}  // namespace ps::model_needs_test

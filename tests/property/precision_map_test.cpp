@@ -13,10 +13,8 @@
 #include "scene/scene_file.h"
 #include "study/difference_by_cause.h"
 
-namespace precision_map_test {
+namespace ps::precision_map_test {
 namespace {
-
-using namespace ps;
 
 PrecisionMap map_of(const Scene& scene, const Settings& settings, int side = 100) {
   Prepared prepared;
@@ -60,8 +58,7 @@ Scene sheets(double z, double gap) {
 }
 
 TEST(PrecisionMap, TheGapIsInUnitsOfTheStoredDepth) {
-  Settings settings;
-  settings.renderer = Renderer::rasterizer;
+  Settings settings{.renderer = Renderer::rasterizer};
   settings.near = 0.1;
   settings.far = 10000;
   settings.lighting = false;
@@ -163,4 +160,4 @@ TEST(DifferenceByCause, AnOptionWithoutEffectHasNoShareInAnyOrder) {
 }
 
 }  // namespace
-}  // namespace precision_map_test
+}  // namespace ps::precision_map_test

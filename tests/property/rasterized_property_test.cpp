@@ -10,9 +10,11 @@
 #include "frame/display_frame.h"
 #include "image/display.h"
 #include "options/option.h"
+#include "render/story/story_tree.h"
 #include "scene/load.h"
 #include "support/render_once.h"
 #include "support/same_bits.h"
+#include "support/settings_with.h"
 #include "support/simd_targets.h"
 #include "support/trials.h"
 
@@ -24,10 +26,7 @@ using ps::test::same_bits;
 constexpr Channel all_channels = static_cast<Channel>(0x3ff);
 
 Settings settings_of(const std::vector<std::string>& assignments) {
-  Settings settings;
-  for (const std::string& assignment : assignments) parse_assignment(assignment, settings);
-  settings.renderer = Renderer::rasterizer;
-  return settings;
+  return settings_with({.renderer = Renderer::rasterizer}, assignments);
 }
 
 const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
@@ -76,13 +75,10 @@ TEST(Rasterized, InspectorReportsThePicturesOwnBits) {
       EXPECT_FALSE(story.verdict.empty());
       ASSERT_FALSE(story.events.empty());
       EXPECT_TRUE(std::holds_alternative<PixelEvent>(story.events.back().data));
-      std::uint32_t drawn = 0;
-      for (const Event& event : story.events) {
-        drawn += std::holds_alternative<FragmentEvent>(event.data) || std::holds_alternative<LineEvent>(event.data);
-        if (const auto* fragment = std::get_if<FragmentEvent>(&event.data)) {
-          EXPECT_NEAR(fragment->weights_2d[0] + fragment->weights_2d[1] + fragment->weights_2d[2], 1, 1e-5);
-        }
-      }
+      const auto fragments = events_of<FragmentEvent>(story.events);
+      const auto drawn = fragments.size() + events_of<LineEvent>(story.events).size();
+      for (const auto* fragment : fragments)
+        EXPECT_NEAR(fragment->weights_2d[0] + fragment->weights_2d[1] + fragment->weights_2d[2], 1, 1e-5);
       if (name != "cgfs/mixing") {
         EXPECT_EQ(drawn, frame.overdraw.at(pixel.x, pixel.y)) << name;
       }
@@ -106,9 +102,7 @@ TEST(Rasterized, StoryAccountsForEveryTriangle) {
   const View view{scene.camera, 600, 600};
   for (const Vec2i pixel : {scene.start_pixel, Vec2i{300, 300}, Vec2i{0, 0}, Vec2i{150, 330}}) {
     const PixelStory story = inspect(scene, view, settings, pixel);
-    std::uint64_t reported = 0;
-    for (const Event& event : story.events)
-      reported += std::holds_alternative<FragmentEvent>(event.data) || std::holds_alternative<RejectEvent>(event.data);
+    const auto reported = events_of<FragmentEvent>(story.events).size() + events_of<RejectEvent>(story.events).size();
     EXPECT_EQ(reported + story.triangles_elsewhere, 474u);
   }
 }
@@ -172,8 +166,7 @@ TEST(Rasterized, InterpolatesOneOverZ) {
                                      "lighting=off", std::string("depth-value=") + value});
     // The book's example: t = 5/6 of the way from x = -300 to x = 60 is x = 0.
     const PixelStory story = inspect(scene, view, settings, {300, 299});
-    for (const Event& event : story.events)
-      if (const auto* fragment = std::get_if<FragmentEvent>(&event.data)) return fragment->depth_new.value();
+    for (const auto* fragment : events_of<FragmentEvent>(story.events)) return fragment->depth_new.value();
     return 0.0;
   };
   EXPECT_NEAR(depth_at("z"), 8.6667, 1e-3);
@@ -207,21 +200,19 @@ TEST(Rasterized, InspectorNamesWhatPassesBy) {
     const Settings settings = settings_of({how, "backface-culling=off"});
     const PixelStory story = inspect(cubes, {cubes.camera, 600, 600}, settings, {200, 320});
     int reported = 0;
-    for (const Event& event : story.events)
-      if (const auto* reject = std::get_if<RejectEvent>(&event.data))
-        reported += reject->reason == RejectReason::not_covered && reject->detail == detail;
+    for (const auto* reject : events_of<RejectEvent>(story.events))
+      reported += reject->reason == RejectReason::not_covered && reject->detail == detail;
     EXPECT_EQ(reported, 4) << how;  // both triangles of the front square and of the back one have it in their boxes
     EXPECT_EQ(story.triangles_elsewhere + static_cast<std::uint64_t>(reported), 24u) << how;
   }
   const Scene spheres = load_scene("cgfs/spheres");
   const PixelStory story = inspect(spheres, {spheres.camera, 600, 600}, settings_of({}), {300, 400});
   int fragments = 0;
-  for (const Event& event : story.events)
-    if (const auto* fragment = std::get_if<FragmentEvent>(&event.data)) {
-      ++fragments;
-      EXPECT_EQ(fragment->id.triangle, 0);
-      EXPECT_GE(fragment->sphere_triangle, 0);
-    }
+  for (const auto* fragment : events_of<FragmentEvent>(story.events)) {
+    ++fragments;
+    EXPECT_EQ(fragment->id.triangle, 0);
+    EXPECT_GE(fragment->sphere_triangle, 0);
+  }
   EXPECT_GE(fragments, 1);
 }
 

@@ -11,18 +11,15 @@
 #include "study/unsafe_settings.h"
 #include "support/trials.h"
 
-namespace safe_settings_test {
+namespace ps::safe_settings_test {
 namespace {
-
-using namespace ps;
 
 TEST(SafeSettings, DefaultsLieInEveryWindowOfEveryBuiltinScene) {
   for (const BuiltinScene& builtin : builtin_scenes()) {
     SCOPED_TRACE(builtin.name);
     const Scene scene = load_scene(builtin.name);
     for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
-      Settings settings;
-      settings.renderer = renderer;
+      Settings settings{.renderer = renderer};
       Progress progress;
       EXPECT_TRUE(unsafe_settings(scene, {scene.camera, 160, 120}, settings, progress).empty());
     }
@@ -92,11 +89,7 @@ TEST(SafeSettings, EveryWarningNamesAnExperimentAndAnOption) {
       EXPECT_NO_THROW(find_stability_experiment(unsafe.experiment)) << unsafe.experiment;
       EXPECT_TRUE(find_option(unsafe.option)) << unsafe.option;
       Settings safe = settings_for(scene);
-      for (std::size_t begin = 0; begin < unsafe.safe.size();) {
-        const std::size_t end = std::min(unsafe.safe.find(';', begin), unsafe.safe.size());
-        EXPECT_NO_THROW(parse_assignment(unsafe.safe.substr(begin, end - begin), safe));
-        begin = end + 1;
-      }
+      EXPECT_NO_THROW(parse_assignments(unsafe.safe, safe));
       const auto left = unsafe_settings(scene, {scene.camera, 40, 30}, safe, progress, {.only_known = true});
       EXPECT_FALSE(find(left, unsafe.experiment)) << "what is said to be safe is";
     }
@@ -155,4 +148,4 @@ TEST(StabilityPictures, TheStripHoldsAllFrames) {
 }
 
 }  // namespace
-}  // namespace safe_settings_test
+}  // namespace ps::safe_settings_test

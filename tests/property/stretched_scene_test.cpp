@@ -6,18 +6,16 @@
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/same_bits.h"
+#include "support/settings_with.h"
 
-namespace stretched_scene_test {
+namespace ps::stretched_scene_test {
 namespace {
-
-using namespace ps;
 
 TEST(StretchedScene, IsOnePictureByAllAcceleratorsWithTheWatertightTest) {
   const Scene scene = load_scene("tests/corpus/scene/stretched.scene");
   const View view{scene.camera, 40, 30};
   Prepared prepared;
-  Settings settings = settings_for(scene);
-  settings.renderer = Renderer::ray_tracer;
+  Settings settings = settings_for(scene, Renderer::ray_tracer);
   settings.triangle_test = TriangleTest::watertight;
   const auto picture = [&](Accelerator accelerator) {
     settings.accelerator = accelerator;
@@ -31,4 +29,4 @@ TEST(StretchedScene, IsOnePictureByAllAcceleratorsWithTheWatertightTest) {
 }
 
 }  // namespace
-}  // namespace stretched_scene_test
+}  // namespace ps::stretched_scene_test

@@ -8,15 +8,14 @@
 
 #include "raytrace/clear/surface_point.h"
 #include "raytrace/fast/fast_intersector.h"
+#include "study/stability/plain_scene.h"
 #include "support/closed_sphere.h"
 #include "support/same_bits.h"
 #include "support/simd_targets.h"
 #include "support/trials.h"
 
-namespace two_level_test {
+namespace ps::two_level_test {
 namespace {
-
-using namespace ps;
 
 class Numbers {
  public:
@@ -99,10 +98,7 @@ Scene placed_scene(const Placement& place, unsigned seed) {
     geometry.objects.push_back({"placed", instance});
     if (i == 6) geometry.objects.push_back({"same again", instance});
   }
-  Scene scene;
-  scene.geometry = Part<Geometry>(std::move(geometry));
-  scene.materials = Part<std::vector<Material>>({Material{}});
-  return scene;
+  return plain_scene(std::move(geometry));
 }
 
 template <class Real>
@@ -252,9 +248,7 @@ std::size_t bytes_with(Accelerator accelerator, std::uint32_t count) {
     instance.transform.translation = random.three(20);
     geometry.objects.push_back({"placed", instance});
   }
-  Scene scene;
-  scene.geometry = Part<Geometry>(std::move(geometry));
-  scene.materials = Part<std::vector<Material>>({Material{}});
+  const Scene scene = plain_scene(std::move(geometry));
   Settings settings;
   settings.accelerator = accelerator;
   settings.simd = Simd::off;
@@ -274,4 +268,4 @@ TEST(TwoLevels, AnInstanceCostsFarLessThanItsTriangles) {
 }
 
 }  // namespace
-}  // namespace two_level_test
+}  // namespace ps::two_level_test

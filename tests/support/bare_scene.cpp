@@ -2,18 +2,6 @@
 
 namespace ps::test {
 
-std::string_view bare_name(Bare what) {
-  switch (what) {
-  case Bare::without_casters:
-    return "without casters";
-  case Bare::without_lights:
-    return "without lights";
-  case Bare::without_objects:
-    return "without objects";
-  }
-  return "";
-}
-
 Scene bare_scene(Scene scene, Bare what) {
   switch (what) {
   case Bare::without_casters:

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "base/check.h"
+#include "base/enumerators.h"
 #include "base/number_text.h"
 
 namespace ps::test {
@@ -21,21 +22,6 @@ namespace {
 constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr std::string_view header = "experiment\tseries\tknob\tmethod\tkind\trule\tfigure\tallowance\tremark";
 constexpr std::size_t columns = 9;
-
-constexpr std::array<std::pair<std::string_view, FigureKind>, 4> kinds{{{"reproduced", FigureKind::reproduced},
-                                                                        {"ours", FigureKind::ours},
-                                                                        {"not reached", FigureKind::not_reached},
-                                                                        {"reference", FigureKind::reference}}};
-constexpr std::array<std::pair<std::string_view, FigureRule>, 8> rules{{{"given", FigureRule::given},
-                                                                        {"zero", FigureRule::zero},
-                                                                        {"above-zero", FigureRule::above_zero},
-                                                                        {"magnitude", FigureRule::magnitude},
-                                                                        {"closed-form", FigureRule::closed_form},
-                                                                        {"rising", FigureRule::rising},
-                                                                        {"falling", FigureRule::falling},
-                                                                        {"above-robust", FigureRule::above_robust}}};
-constexpr std::array<std::pair<std::string_view, FigureMethod>, 2> methods{
-    {{"naive", FigureMethod::naive}, {"robust", FigureMethod::robust}}};
 
 /// One line, with its place for messages.
 class Row {
@@ -52,9 +38,9 @@ class Row {
     row.experiment = fields_[0];
     row.series = fields_[1];
     row.knob = fields_[2];
-    row.method = one_of(fields_[3], methods);
-    row.kind = one_of(fields_[4], kinds);
-    row.rule = one_of(fields_[5], rules);
+    row.method = one_of<FigureMethod>(fields_[3]);
+    row.kind = one_of<FigureKind>(fields_[4]);
+    row.rule = one_of<FigureRule>(fields_[5]);
     row.figure = fields_[6];
     row.allowance = fields_[7];
     row.remark = fields_[8];
@@ -70,14 +56,13 @@ class Row {
     throw InputError({file_, number_, 0}, fmt::format("'{}'", found), expected);
   }
 
-  template <class Choice, std::size_t count>
-  Choice one_of(const std::string& field, const std::array<std::pair<std::string_view, Choice>, count>& choices) const {
-    std::string known;
-    for (const auto& [text, choice] : choices) {
-      if (field == text) return choice;
-      known += fmt::format(" '{}'", text);
-    }
-    refuse(field, "one of" + known);
+  /// Rules of two words have a minus between them, kinds a blank.
+  template <class Choice>
+  Choice one_of(const std::string& field) const {
+    std::string key = field;
+    if constexpr (std::is_same_v<Choice, FigureKind>) std::replace(key.begin(), key.end(), ' ', '-');
+    if (const auto choice = enumerator_named<Choice>(key)) return *choice;
+    refuse(field, fmt::format("one of '{}'", fmt::join(enumerator_keys<Choice>, "' '")));
   }
 
   double number(std::string_view text) const {
@@ -237,10 +222,10 @@ FigureRange poisson_interval(int events) {
   return range;
 }
 
-std::string_view kind_text(FigureKind kind) {
-  for (const auto& [text, value] : kinds)
-    if (value == kind) return text;
-  return "";
+std::string kind_text(FigureKind kind) {
+  std::string text(enumerator_key(kind));
+  std::replace(text.begin(), text.end(), '-', ' ');
+  return text;
 }
 
 }  // namespace ps::test

@@ -57,6 +57,6 @@ std::vector<StabilityFigure> parse_stability_figures(std::string_view text, cons
 FigureRange poisson_interval(int events);
 
 /// "reproduced", "ours", "not reached" or "reference".
-std::string_view kind_text(FigureKind kind);
+std::string kind_text(FigureKind kind);
 
 }  // namespace ps::test

@@ -12,8 +12,7 @@
 #include "support/refusal.h"
 #include "support/render_once.h"
 
-namespace ps {
-namespace body_in_group_test {
+namespace ps::body_in_group_test {
 namespace {
 
 constexpr int side = 96;
@@ -26,8 +25,7 @@ Scene parsed_bodies(const std::string& text) {
 }
 
 Frame drawn(const Scene& scene, Renderer renderer, Projection projection = Projection::perspective) {
-  Settings settings;
-  settings.renderer = renderer;
+  Settings settings{.renderer = renderer};
   settings.precision = Precision::float64;
   settings.projection = projection;
   settings.backface_culling = true;
@@ -190,5 +188,4 @@ TEST(BodyInGroup, RefusesWhatItCannotPlace) {
 }
 
 }  // namespace
-}  // namespace body_in_group_test
-}  // namespace ps
+}  // namespace ps::body_in_group_test

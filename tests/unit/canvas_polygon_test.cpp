@@ -10,9 +10,9 @@
 #include "scene/scene_writer.h"
 #include "support/refusal.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 
-namespace ps {
-namespace canvas_polygon_test {
+namespace ps::canvas_polygon_test {
 namespace {
 
 constexpr int polygon_side = 40;
@@ -20,8 +20,7 @@ constexpr int polygon_side = 40;
 Scene scene_of(const std::string& text) { return parse_scene("background = black\n" + text, "polygon.scene", "."); }
 
 Frame drawn(const Scene& scene) {
-  Settings settings = settings_for(scene);
-  settings.renderer = Renderer::rasterizer;
+  Settings settings = settings_for(scene, Renderer::rasterizer);
   return render(scene, {scene.camera, polygon_side, polygon_side}, settings, request_for(Channel::overdraw));
 }
 
@@ -163,5 +162,4 @@ TEST(CanvasPolygon, RefusesWhatIsNotConvex) {
 }
 
 }  // namespace
-}  // namespace canvas_polygon_test
-}  // namespace ps
+}  // namespace ps::canvas_polygon_test

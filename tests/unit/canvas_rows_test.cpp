@@ -10,11 +10,11 @@
 #include "inspect/canvas_rows.h"
 #include "options/scene_settings.h"
 #include "render/render.h"
+#include "render/story/story_tree.h"
 #include "scene/load.h"
 #include "support/run_cli.h"
 
-namespace ps {
-namespace canvas_rows_test {
+namespace ps::canvas_rows_test {
 namespace {
 
 using test::run_cli;
@@ -115,8 +115,7 @@ TEST(CanvasRows, OfAPolygonAreThoseThatAreDrawn) {
     const int middle = (row.outlined->left + row.outlined->right) / 2;
     const PixelStory story = inspect(scene, view, settings, {middle, row.y}, prepared, progress);
     const PolygonEvent* polygon = nullptr;
-    for (const Event& event : story.events)
-      if (const auto* one = std::get_if<PolygonEvent>(&event.data)) polygon = one;
+    for (const auto* one : events_of<PolygonEvent>(story.events)) polygon = one;
     ASSERT_TRUE(polygon && polygon->row) << row.y;
     EXPECT_EQ(*row.outlined, (ColumnSpan{polygon->row->left, polygon->row->right})) << row.y;
     for (std::size_t end = 0; end < 2; ++end)
@@ -156,5 +155,4 @@ TEST(CanvasRows, CommandLine) {
 }
 
 }  // namespace
-}  // namespace canvas_rows_test
-}  // namespace ps
+}  // namespace ps::canvas_rows_test

@@ -7,11 +7,12 @@
 #include "inspect/describe.h"
 #include "inspect/microscope/microscope.h"
 #include "options/scene_settings.h"
+#include "render/story/story_tree.h"
 #include "scene/load.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 
-namespace ps {
-namespace canvas_story_test {
+namespace ps::canvas_story_test {
 namespace {
 
 /// The two triangles of a square, whose shared edge runs through the sample of pixel (20, 19).
@@ -19,59 +20,44 @@ struct Square {
   Scene scene = load_scene("chapters/cgfs_07_filled_triangles/square.scene");
 
   PixelStory inspect_with(FillRule rule) const {
-    Settings settings = settings_for(scene);
-    settings.renderer = Renderer::rasterizer;
+    Settings settings = settings_for(scene, Renderer::rasterizer);
     settings.sample_position = SamplePosition::corner;
     settings.fill_rule = rule;
     return inspect(scene, {scene.camera, scene.canvas_width, scene.canvas_height}, settings, {20, 19});
   }
 };
 
-std::vector<RejectEvent> refusals(const PixelStory& story) {
-  std::vector<RejectEvent> found;
-  for (const Event& event : story.events)
-    if (const auto* reject = std::get_if<RejectEvent>(&event.data)) found.push_back(*reject);
-  return found;
-}
-
-std::size_t fragments(const PixelStory& story) {
-  std::size_t count = 0;
-  for (const Event& event : story.events) count += std::holds_alternative<FragmentEvent>(event.data) ? 1u : 0u;
-  return count;
-}
-
 TEST(CanvasStory, ASideThatNobodyOwnsIsRefusedByBoth) {
   const Square square;
   const PixelStory story = square.inspect_with(FillRule::exclusive);
-  EXPECT_EQ(fragments(story), 0u);
-  const auto refused = refusals(story);
+  EXPECT_EQ(events_of<FragmentEvent>(story.events).size(), 0u);
+  const auto refused = events_of<RejectEvent>(story.events);
   ASSERT_EQ(refused.size(), 2u);
-  for (const RejectEvent& reject : refused) {
-    EXPECT_EQ(reject.reason, RejectReason::not_covered);
-    EXPECT_NE(reject.detail.find("does not own"), std::string::npos) << reject.detail;
-    ASSERT_TRUE(reject.edges);
+  for (const auto* reject : refused) {
+    EXPECT_EQ(reject->reason, RejectReason::not_covered);
+    EXPECT_NE(reject->detail.find("does not own"), std::string::npos) << reject->detail;
+    ASSERT_TRUE(reject->edges);
     int zeros = 0;
-    for (const double edge : *reject.edges) zeros += edge == 0 ? 1 : 0;
+    for (const double edge : *reject->edges) zeros += edge == 0 ? 1 : 0;
     EXPECT_EQ(zeros, 1) << "the sample lies on one side, and inside the two others";
-    EXPECT_EQ(describe({-1, reject}, square.scene).find("a triangle on the canvas"), 0u);
+    EXPECT_EQ(describe({-1, *reject}, square.scene).find("a triangle on the canvas"), 0u);
   }
 }
 
 TEST(CanvasStory, WithTheRuleOneTakesItAndTheOtherGivesItUp) {
   const Square square;
   const PixelStory story = square.inspect_with(FillRule::top_left);
-  EXPECT_EQ(fragments(story), 1u);
-  EXPECT_EQ(refusals(story).size(), 1u);
+  EXPECT_EQ(events_of<FragmentEvent>(story.events).size(), 1u);
+  EXPECT_EQ(events_of<RejectEvent>(story.events).size(), 1u);
   const PixelStory all = square.inspect_with(FillRule::inclusive);
-  EXPECT_EQ(fragments(all), 2u);
-  EXPECT_TRUE(refusals(all).empty());
+  EXPECT_EQ(events_of<FragmentEvent>(all.events).size(), 2u);
+  EXPECT_TRUE(events_of<RejectEvent>(all.events).empty());
 }
 
 // The microscope shows what the story shows: the sample on the side of both, and who owns it.
 TEST(CanvasStory, TheMicroscopeShowsTheTriangles) {
   const Square square;
-  Settings settings = settings_for(square.scene);
-  settings.renderer = Renderer::rasterizer;
+  Settings settings = settings_for(square.scene, Renderer::rasterizer);
   settings.sample_position = SamplePosition::corner;
   for (const auto& [rule, owners] :
        {std::pair{FillRule::exclusive, 0}, {FillRule::top_left, 1}, {FillRule::inclusive, 2}}) {
@@ -101,5 +87,4 @@ TEST(CanvasStory, TheMicroscopeShowsTheTriangles) {
 }
 
 }  // namespace
-}  // namespace canvas_story_test
-}  // namespace ps
+}  // namespace ps::canvas_story_test

@@ -3,17 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
 #include <string>
 #include <vector>
 
 #include "study/chart_front.h"
 #include "study/chart_style.h"
+#include "support/seeded_random.h"
 
-namespace chart_conclusion_test {
+namespace ps::chart_conclusion_test {
 namespace {
-
-using namespace ps;
 
 struct Given {
   std::string name;
@@ -181,9 +179,7 @@ TEST(ChartConclusion, AChartThatLacksPointsSaysSo) {
 }
 
 TEST(ChartConclusion, StatesNoOrderThatNoiseCouldTurnRound) {
-  const unsigned seed = std::random_device{}();
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 random(seed);
+  test::SeededRandom random;
   int claims = 0;
   for (int round = 0; round < 3000; ++round) {
     std::vector<Given> points(1 + random() % 7);
@@ -219,4 +215,4 @@ TEST(ChartConclusion, StatesNoOrderThatNoiseCouldTurnRound) {
 }
 
 }  // namespace
-}  // namespace chart_conclusion_test
+}  // namespace ps::chart_conclusion_test

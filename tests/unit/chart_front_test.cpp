@@ -1,5 +1,6 @@
 // Ties, the staircase and the band of a chart's front.
 #include "study/chart_front.h"
+#include "support/seeded_random.h"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +8,8 @@
 #include <random>
 #include <vector>
 
-namespace chart_front_test {
+namespace ps::chart_front_test {
 namespace {
-
-using namespace ps;
 
 Chart chart_of(const std::vector<Quartiles>& times, const std::vector<double>& errors, double noise) {
   Chart chart;
@@ -76,9 +75,7 @@ double best_at(double cost, const std::vector<Vec2d>& points) {
 }
 
 TEST(ChartFront, TheBandHoldsEveryFrontThatTheNoiseAllows) {
-  const unsigned seed = std::random_device{}();
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 random(seed);
+  test::SeededRandom random;
   std::uniform_real_distribution<double> unit(0, 1);
   for (int round = 0; round < 300; ++round) {
     std::vector<Quartiles> times(1 + random() % 6);
@@ -105,4 +102,4 @@ TEST(ChartFront, TheBandHoldsEveryFrontThatTheNoiseAllows) {
 }
 
 }  // namespace
-}  // namespace chart_front_test
+}  // namespace ps::chart_front_test

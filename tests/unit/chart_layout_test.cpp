@@ -1,15 +1,13 @@
 #include <cmath>
-#include <random>
 
 #include <gtest/gtest.h>
 
 #include "study/axis.h"
 #include "study/label_layout.h"
+#include "support/seeded_random.h"
 
-namespace chart_layout_test {
+namespace ps::chart_layout_test {
 namespace {
-
-using namespace ps;
 
 TEST(Axis, KeepsOrderAndPutsDecadesAtEqualDistances) {
   const PlotAxis axis = fit_axis({0.01, 100, 3}, AxisScale::logarithmic);
@@ -72,16 +70,14 @@ TEST(Axis, RoundNumbersAreWrittenOut) {
 }
 
 TEST(LabelLayout, LabelsCoverNeitherEachOtherNorMarksNorLeaveTheBox) {
-  const unsigned seed = std::random_device{}();
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> unit(0, 1);
+  test::SeededRandom random;
   const Vec2d box{400, 300};
   for (int round = 0; round < 200; ++round) {
     std::vector<LabelWish> wishes(1 + random() % 40);
     for (LabelWish& wish : wishes)
-      wish = {
-          {unit(random) * box.x, unit(random) * box.y}, {20 + unit(random) * 80, 12}, static_cast<int>(random() % 2)};
+      wish = {{random.between(0, 1) * box.x, random.between(0, 1) * box.y},
+              {20 + random.between(0, 1) * 80, 12},
+              static_cast<int>(random() % 2)};
     const auto places = place_labels(wishes, box, 4);
     int shown = 0;
     for (std::size_t i = 0; i < wishes.size(); ++i) {
@@ -111,16 +107,14 @@ bool cross(const LabelLine& a, const LabelLine& b) {
 }
 
 TEST(LabelLayout, LinesToLabelsDoNotCross) {
-  const unsigned seed = std::random_device{}();
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> unit(0, 1);
+  test::SeededRandom random;
   int lines = 0;
   for (int round = 0; round < 400; ++round) {
     // Marks in a heap, so that most labels stand away from theirs.
     std::vector<LabelWish> wishes(6 + random() % 20);
     for (LabelWish& wish : wishes)
-      wish = {{200 + unit(random) * 60, 130 + unit(random) * 40}, {20 + unit(random) * 60, 12}, 0};
+      wish = {
+          {200 + random.between(0, 1) * 60, 130 + random.between(0, 1) * 40}, {20 + random.between(0, 1) * 60, 12}, 0};
     const auto places = place_labels(wishes, {400, 300}, 8);
     std::vector<LabelLine> drawn;
     // Drawn from the rim of each mark's own size, which is at most the largest.
@@ -162,4 +156,4 @@ TEST(LabelLayout, ALoneLabelIsShown) {
 }
 
 }  // namespace
-}  // namespace chart_layout_test
+}  // namespace ps::chart_layout_test

@@ -1,9 +1,9 @@
+#include "base/enumerators.h"
 #include "study/chart.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <random>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -20,14 +20,12 @@
 #include "study/chart_conclusion.h"
 #include "study/chart_files.h"
 #include "study/chart_style.h"
-#include "support/environment.h"
 #include "support/run_cli.h"
+#include "support/seeded_random.h"
 #include "support/trials.h"
 
-namespace chart_test {
+namespace ps::chart_test {
 namespace {
-
-using namespace ps;
 
 ChartRequest small_request(const std::string& scene_name = "cgfs/reflections") {
   ChartRequest request;
@@ -306,9 +304,7 @@ Image<Rgb8> averaged(const Scene& scene, const View& view, const Settings& setti
 // One sample of a ray tracer is no truth: on textures it is as far from the mean over a pixel as a rasterizer's, or
 // farther.
 TEST(Chart, RenderersAreHeldAgainstTheMeanOverThePixel) {
-  const unsigned seed = test::test_seed();
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 random(seed);
+  test::SeededRandom random;
   ChartRequest request;
   request.scene = load_scene("cgfs/crates");
   const int width = test::side(90 + static_cast<int>(random() % 40));
@@ -415,9 +411,9 @@ TEST(Chart, WorkTakesThePlaceOfTime) {
   }
   EXPECT_NE(chart_svg(chart).find("work: rays"), std::string::npos);
   EXPECT_EQ(chart_svg(chart).find("time of one picture"), std::string::npos);
-  EXPECT_EQ(parse_chart_across("work"), ChartAcross::work);
-  EXPECT_EQ(parse_chart_across("memory"), ChartAcross::memory);
-  EXPECT_THROW(parse_chart_across("bytes"), InputError);
+  EXPECT_EQ(parse_enumerator<ChartAcross>("across", "work"), ChartAcross::work);
+  EXPECT_EQ(parse_enumerator<ChartAcross>("across", "memory"), ChartAcross::memory);
+  EXPECT_THROW(parse_enumerator<ChartAcross>("across", "bytes"), InputError);
 }
 
 TEST(Chart, LabelsLieOverTheirRimsInAnyViewer) {
@@ -450,4 +446,4 @@ TEST(Chart, LabelsLieOverTheirRimsInAnyViewer) {
 }
 
 }  // namespace
-}  // namespace chart_test
+}  // namespace ps::chart_test

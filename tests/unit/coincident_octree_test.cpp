@@ -15,10 +15,8 @@
 #include "render/render.h"
 #include "scene/scene_file.h"
 
-namespace coincident_octree_test {
+namespace ps::coincident_octree_test {
 namespace {
-
-using namespace ps;
 
 Scene coincident_teapots(int copies) {
   std::string text = "model { name = t generator = teapot divisions = 2 } light { type = ambient intensity = 0.5 }";
@@ -148,8 +146,7 @@ TEST(CoincidentOctree, GeometryAndTessellationListenToCancellation) {
   Progress stopped;
   stopped.request_stop();
   for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
-    Settings settings;
-    settings.renderer = renderer;
+    Settings settings{.renderer = renderer};
     Prepared prepared;
     EXPECT_THROW(render(scene, {scene.camera, 8, 8}, settings, {}, prepared, stopped), Cancelled);
     EXPECT_EQ(prepared.bytes(), 0u) << "was built before the stop was noticed";
@@ -176,4 +173,4 @@ TEST(StopScope, ReachesTheThreadsOfParallelFor) {
 }
 
 }  // namespace
-}  // namespace coincident_octree_test
+}  // namespace ps::coincident_octree_test

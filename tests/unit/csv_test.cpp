@@ -6,17 +6,14 @@
 #include <random>
 
 #include "study/stability/experiment.h"
-#include "support/environment.h"
 #include "support/read_csv.h"
+#include "support/seeded_random.h"
 
-namespace ps {
-namespace csv_test {
+namespace ps::csv_test {
 namespace {
 
 TEST(Csv, FieldsComeBackAsTheyWentIn) {
-  const unsigned seed = test::test_seed();
-  SCOPED_TRACE("PIXELSCOPE_TEST_SEED=" + std::to_string(seed));
-  std::mt19937 random(seed);
+  test::SeededRandom random;
   const std::string letters = "ab,\"\r\n ;'";
   std::uniform_int_distribution<std::size_t> letter(0, letters.size() - 1), length(0, 8);
   for (int trial = 0; trial < 500; ++trial) {
@@ -50,5 +47,4 @@ TEST(Csv, SeriesOfAnExperimentMayHaveQuotes) {
 }
 
 }  // namespace
-}  // namespace csv_test
-}  // namespace ps
+}  // namespace ps::csv_test

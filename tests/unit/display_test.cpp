@@ -10,6 +10,7 @@
 
 #include "frame/display_frame.h"
 #include "image/mixing.h"
+#include "support/seeded_random.h"
 
 namespace display_test {
 namespace {
@@ -94,13 +95,11 @@ TEST(Display, FewBitsShowBands) {
 
 // The picture's path through whole rows against the rounding of the C library.
 TEST(Display, PicturesAgreeWithSinglePixels) {
-  const unsigned seed = std::random_device{}();
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> values(-0.2, 1.4);
+  ps::test::SeededRandom random;
   std::uniform_int_distribution<int> halves(0, 510);
   ps::Image<Vec3d> exact(37, 23);
-  for (Vec3d& pixel : exact.pixels()) pixel = {values(random), halves(random) / 510.0, values(random)};
+  for (Vec3d& pixel : exact.pixels())
+    pixel = {random.between(-0.2, 1.4), halves(random) / 510.0, random.between(-0.2, 1.4)};
   ps::Image<Vec3f> rounded(37, 23);
   for (std::size_t i = 0; i < exact.pixels().size(); ++i) rounded.pixels()[i] = Vec3f(exact.pixels()[i]);
 

@@ -7,14 +7,13 @@
 #include <map>
 
 #include "options/option.h"
+#include "render/story/story_tree.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
 #include "support/render_once.h"
 
-namespace exclusion_test {
+namespace ps::exclusion_test {
 namespace {
-
-using namespace ps;
 
 Frame picture(const Scene& scene, SelfHit guard, int side = 61) {
   Settings settings;
@@ -140,15 +139,12 @@ TEST(Exclusion, TheStoryNamesWhatWasNotTested) {
   settings.accelerator = Accelerator::none;
   const PixelStory story = inspect(scene, {scene.camera, 60, 60}, settings, {30, 33});
   int excluded = 0, leaving = 0;
-  for (const Event& event : story.events) {
-    if (const auto* ray = std::get_if<RayEvent>(&event.data)) leaving += ray->kind != RayKind::eye;
-    if (const auto* test = std::get_if<SphereTestEvent>(&event.data))
-      excluded += test->outcome == TestOutcome::excluded;
-  }
+  for (const auto* ray : events_of<RayEvent>(story.events)) leaving += ray->kind != RayKind::eye;
+  for (const auto* test : events_of<SphereTestEvent>(story.events)) excluded += test->outcome == TestOutcome::excluded;
   EXPECT_GT(leaving, 2);
   EXPECT_LE(excluded, leaving);
   EXPECT_GE(excluded, leaving / 2) << "an any-hit search may end before it reaches the surface";
 }
 
 }  // namespace
-}  // namespace exclusion_test
+}  // namespace ps::exclusion_test

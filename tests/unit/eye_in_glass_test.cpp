@@ -9,10 +9,8 @@
 #include "scene/scene_file.h"
 #include "support/render_once.h"
 
-namespace eye_in_glass_test {
+namespace ps::eye_in_glass_test {
 namespace {
-
-using namespace ps;
 
 PixelStory story_in_glass(const Scene& scene, const Settings& settings, Vec2i pixel) {
   return inspect(scene, View{scene.camera, 40, 30}, settings, pixel);
@@ -29,9 +27,8 @@ Settings near_settings(Precision precision) {
 /// The rays of the story that run on through boundaries, eye ray first, as unit directions with where they begin.
 std::vector<RayEvent> rays_through(const PixelStory& story) {
   std::vector<RayEvent> rays;
-  for (const Event& event : story.events)
-    if (const auto* ray = std::get_if<RayEvent>(&event.data))
-      if (ray->kind == RayKind::eye || ray->kind == RayKind::refraction) rays.push_back(*ray);
+  for (const auto* ray : events_of<RayEvent>(story.events))
+    if (ray->kind == RayKind::eye || ray->kind == RayKind::refraction) rays.push_back(*ray);
   return rays;
 }
 
@@ -130,4 +127,4 @@ TEST(EyeInGlass, PicturesAgreeWithStories) {
 }
 
 }  // namespace
-}  // namespace eye_in_glass_test
+}  // namespace ps::eye_in_glass_test

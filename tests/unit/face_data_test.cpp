@@ -15,8 +15,7 @@
 #include "render/story/names.h"
 #include "support/render_once.h"
 
-namespace ps {
-namespace face_data_test {
+namespace ps::face_data_test {
 namespace {
 
 /// Two triangles that fill the view of a camera on +z: the lower right one, in line 13, has the normal of vertex 1
@@ -129,8 +128,7 @@ TEST(FaceData, StoriesOfAllRenderersReportIt) {
   const View view = view_on(scene);
   std::optional<Vec3d> traced_normal, traced_uv;
   for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
-    Settings settings;
-    settings.renderer = renderer;
+    Settings settings{.renderer = renderer};
     const PixelStory story = inspect(scene, view, settings, in_head);
     const Event* event = shown_event(story);
     ASSERT_NE(event, nullptr);
@@ -167,8 +165,7 @@ TEST(FaceData, TheMicroscopeShowsItForRaysAndTriangles) {
   const Scene scene = load_model();
   const View view = view_on(scene);
   for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
-    Settings settings;
-    settings.renderer = renderer;
+    Settings settings{.renderer = renderer};
     Prepared prepared;
     Progress progress;
     const Microscope scope(scene, view, settings, in_head, prepared, progress);
@@ -216,5 +213,4 @@ TEST(FaceData, AVertexNamesTheTrianglesAtIt) {
 }
 
 }  // namespace
-}  // namespace face_data_test
-}  // namespace ps
+}  // namespace ps::face_data_test

@@ -7,8 +7,7 @@
 #include "scene/load.h"
 #include "support/render_once.h"
 
-namespace ps {
-namespace far_triangles_test {
+namespace ps::far_triangles_test {
 namespace {
 
 constexpr std::array counted{Counter::objects_culled,         Counter::triangles_in,    Counter::triangles_degenerate,
@@ -30,8 +29,7 @@ TEST(FarTriangles, AreCountedAsInThePicture) {
           View view{scene.camera, 96, 60};
           const Camera& camera = scene.camera;
           view.camera.position += camera.right * look.from.x + camera.up * look.from.y + camera.forward * look.from.z;
-          Settings settings;
-          settings.renderer = Renderer::rasterizer;
+          Settings settings{.renderer = Renderer::rasterizer};
           settings.clipping = clipping;
           settings.backface_culling = culling;
           settings.shading = shading;
@@ -49,5 +47,4 @@ TEST(FarTriangles, AreCountedAsInThePicture) {
 }
 
 }  // namespace
-}  // namespace far_triangles_test
-}  // namespace ps
+}  // namespace ps::far_triangles_test

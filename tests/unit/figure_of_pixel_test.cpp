@@ -8,35 +8,19 @@
 #include "engine/figure.h"
 #include "engine/lesson.h"
 #include "scene/load.h"
+#include "support/read_figures.h"
 #include "support/render_once.h"
 
-namespace ps {
-namespace figure_of_pixel_test {
+namespace ps::figure_of_pixel_test {
 namespace {
 
-Figure drawn(const std::string& lines) { return read_figure("alt Words.\n" + lines, "lesson.md", 10); }
-
-/// The fault of lines behind "alt A.", which is line 10.
-std::string error_of(const std::string& lines) {
-  try {
-    read_figure("alt A.\n" + lines, "lesson.md", 10);
-    return "no error";
-  } catch (const InputError& error) {
-    return error.what();
-  }
-}
-
-template <class Mark>
-std::vector<Mark> marks_of(const Figure& figure) {
-  std::vector<Mark> marks;
-  for (const FigureMark& mark : figure.marks)
-    if (const auto* one = std::get_if<Mark>(&mark)) marks.push_back(*one);
-  return marks;
-}
+using test::figure_fault;
+using test::figure_of;
+using test::marks_of;
 
 /// A figure as the window draws it for this story.
 std::shared_ptr<const Figure> drawn_for(const std::string& lines, const PixelStory& story) {
-  return figure_of_pixel(std::make_shared<const Figure>(drawn(lines)), &story);
+  return figure_of_pixel(std::make_shared<const Figure>(figure_of(lines)), &story);
 }
 
 PixelStory story_at(const std::string& name, const Vec2i& pixel, const Settings& settings) {
@@ -74,8 +58,7 @@ TEST(FigureOfAPixel, HasTheAnglesOfItsStory) {
 // The wall goes from z = 2 on the left to z = 10; a place on the screen is x/z (chapters/cgfs_12_hidden_surfaces).
 // There 1/z is linear: 1/2 at x/z = -1/2 (column 0), 1/10 at x/z = 1/10 (column 360). A panel lies behind it.
 TEST(FigureOfAPixel, HasTheFragmentThatIsSeen) {
-  Settings settings;
-  settings.renderer = Renderer::rasterizer;
+  Settings settings{.renderer = Renderer::rasterizer};
   settings.backface_culling = false;
   const PixelStory story = story_at("chapters/cgfs_12_hidden_surfaces/segment.scene", {300, 300}, settings);
   const auto figure =
@@ -89,7 +72,7 @@ TEST(FigureOfAPixel, HasTheFragmentThatIsSeen) {
 
 TEST(FigureOfAPixel, IsTheStepsOwnWhereTheStoryLacksANumber) {
   const PixelStory sky = story_at("cgfs/lights", {5, 5}, Settings{});
-  const auto own = std::make_shared<const Figure>(drawn("pixel c light 1: n-dot-l = 0.25\nline (0, 0) (@c, 1)"));
+  const auto own = std::make_shared<const Figure>(figure_of("pixel c light 1: n-dot-l = 0.25\nline (0, 0) (@c, 1)"));
   EXPECT_EQ(own->note, "At the step's own pixel.");
   EXPECT_EQ(figure_of_pixel(own, nullptr), own);
   const auto figure = figure_of_pixel(own, &sky);
@@ -97,7 +80,7 @@ TEST(FigureOfAPixel, IsTheStepsOwnWhereTheStoryLacksANumber) {
   EXPECT_EQ(figure_words(*figure), "Words. " + figure->note);
   EXPECT_EQ(marks_of<FigureLine>(*figure).at(0).places[1].x, 0.25);
   // Others are as they are.
-  const auto plain = std::make_shared<const Figure>(drawn("line (0, 0) (1, 1)"));
+  const auto plain = std::make_shared<const Figure>(figure_of("line (0, 0) (1, 1)"));
   EXPECT_EQ(figure_of_pixel(plain, &sky), plain);
 }
 
@@ -108,16 +91,20 @@ TEST(FigureOfAPixel, IsTheStepsOwnWhereItsNumbersCannotBeDrawn) {
 }
 
 TEST(FigureOfAPixel, FaultsOfNumbersOfAPixelHaveTheirPlaces) {
+  EXPECT_TRUE(figure_fault("alt A.\npixel c light 1: n-dot-l = 1\nline (0, 0) (@d, 1)")
+                  .starts_with("lesson.md:12:14: found '@d', expe"));
+  EXPECT_TRUE(figure_fault("alt A.\npixel c light 1: n-dot-x = 1")
+                  .starts_with("lesson.md:11:9: field: 'light' has no 'n-dot-x';"));
+  EXPECT_TRUE(figure_fault("alt A.\npixel c light 1: n-dot-l = x")
+                  .starts_with("lesson.md:11:28: found 'x', expected a number"));
+  EXPECT_TRUE(figure_fault("alt A.\npixel c light 1: n-dot-l")
+                  .starts_with("lesson.md:11:1: found too few words, expected pixel NAME"));
+  EXPECT_TRUE(figure_fault("alt A.\npixel c angle = 1").starts_with("lesson.md:11:9: found 'angle' of nothing,"));
   EXPECT_TRUE(
-      error_of("pixel c light 1: n-dot-l = 1\nline (0, 0) (@d, 1)").starts_with("lesson.md:12:14: found '@d', expe"));
-  EXPECT_TRUE(error_of("pixel c light 1: n-dot-x = 1").starts_with("lesson.md:11:9: field: 'light' has no 'n-dot-x';"));
-  EXPECT_TRUE(error_of("pixel c light 1: n-dot-l = x").starts_with("lesson.md:11:28: found 'x', expected a number"));
+      figure_fault("alt A.\npixel c share 1 1 hit: t = 1").starts_with("lesson.md:11:17: found a share of nothing,"));
+  EXPECT_TRUE(figure_fault("alt A.\npixel a-b hit: t = 1").starts_with("lesson.md:11:7: found 'a-b', expected a name"));
   EXPECT_TRUE(
-      error_of("pixel c light 1: n-dot-l").starts_with("lesson.md:11:1: found too few words, expected pixel NAME"));
-  EXPECT_TRUE(error_of("pixel c angle = 1").starts_with("lesson.md:11:9: found 'angle' of nothing,"));
-  EXPECT_TRUE(error_of("pixel c share 1 1 hit: t = 1").starts_with("lesson.md:11:17: found a share of nothing,"));
-  EXPECT_TRUE(error_of("pixel a-b hit: t = 1").starts_with("lesson.md:11:7: found 'a-b', expected a name"));
-  EXPECT_TRUE(error_of("pixel t hit: t = 1\npixel t hit: t = 1").starts_with("lesson.md:12:7: found a second 't'"));
+      figure_fault("alt A.\npixel t hit: t = 1\npixel t hit: t = 1").starts_with("lesson.md:12:7: found a second 't'"));
 }
 
 TEST(FigureOfAPixel, NumbersOfAllLessonsAreThoseOfTheStepsPixel) {
@@ -147,5 +134,4 @@ TEST(FigureOfAPixel, ANumberThatIsNotThatOfTheStepsPixelIsFound) {
 }
 
 }  // namespace
-}  // namespace figure_of_pixel_test
-}  // namespace ps
+}  // namespace ps::figure_of_pixel_test

@@ -14,34 +14,18 @@
 #include "engine/lesson.h"
 #include "engine/maths_writers.h"
 #include "image/svg.h"
+#include "support/read_figures.h"
 #include "support/render_once.h"
 
-namespace ps {
-namespace figure_test {
+namespace ps::figure_test {
 namespace {
 
-Figure drawn(const std::string& lines) { return read_figure("alt Words.\n" + lines, "lesson.md", 10); }
-
-std::string error_of(const std::string& lines) {
-  try {
-    read_figure(lines, "lesson.md", 10);
-    return "no error";
-  } catch (const InputError& error) {
-    return error.what();
-  }
-}
+using test::figure_fault;
+using test::figure_of;
+using test::marks_of;
 
 std::string text_of(const FigureLabel& label) {
   return label.formula.empty() ? label.words : plain_maths(label.formula);
-}
-
-/// The marks of one kind, those of a role where one is given.
-template <class Mark>
-std::vector<Mark> marks_of(const Figure& figure) {
-  std::vector<Mark> marks;
-  for (const FigureMark& mark : figure.marks)
-    if (const auto* one = std::get_if<Mark>(&mark)) marks.push_back(*one);
-  return marks;
 }
 
 std::vector<FigureLine> lines_in(const Figure& figure, Role role, LineTip tip) {
@@ -62,9 +46,9 @@ double angle_from_vertical(const Vec2d& way) { return std::atan2(std::abs(way.x)
 
 TEST(Figure, MarksLieWhereTheDescriptionPutsThem) {
   const Figure figure =
-      drawn("place A (1, 2)\nplace B along A (5, 2) 0.25\nplace C turn B A 90\n"
-            "place D foot (3, 7) A B\nplace T tangent (0, 0) (5, 0) 3\nplace E meet (0, 0) (2, 2) (0, 2) (2, 0)\n"
-            "arrow A B light dashed : $\\vec L$\nline C D E T");
+      figure_of("place A (1, 2)\nplace B along A (5, 2) 0.25\nplace C turn B A 90\n"
+                "place D foot (3, 7) A B\nplace T tangent (0, 0) (5, 0) 3\nplace E meet (0, 0) (2, 2) (0, 2) (2, 0)\n"
+                "arrow A B light dashed : $\\vec L$\nline C D E T");
   EXPECT_EQ(figure.description, "Words.");
   const auto lines = marks_of<FigureLine>(figure);
   ASSERT_EQ(lines.size(), 2u);
@@ -80,25 +64,26 @@ TEST(Figure, MarksLieWhereTheDescriptionPutsThem) {
 }
 
 TEST(Figure, EveryFaultIsNamedWithItsPlace) {
-  EXPECT_EQ(error_of("alt A.\narow (0, 0) (1, 1)"), "lesson.md:11:1: found 'arow', expected 'arrow'");
-  EXPECT_EQ(error_of("alt A.\n  line (0, 0) (1, x)"), "lesson.md:11:19: found 'x', expected a number");
-  EXPECT_EQ(error_of("alt A.\nplace Peak (0, 0)\nline (0, 0) Pek"),
+  EXPECT_EQ(figure_fault("alt A.\narow (0, 0) (1, 1)"), "lesson.md:11:1: found 'arow', expected 'arrow'");
+  EXPECT_EQ(figure_fault("alt A.\n  line (0, 0) (1, x)"), "lesson.md:11:19: found 'x', expected a number");
+  EXPECT_EQ(figure_fault("alt A.\nplace Peak (0, 0)\nline (0, 0) Pek"),
             "lesson.md:12:13: found 'Pek', expected (x, y) or a place that has a name; did you mean 'Peak'?");
-  EXPECT_EQ(error_of("alt A.\ndot (0, 0) : $\\vecc N$"),
+  EXPECT_EQ(figure_fault("alt A.\ndot (0, 0) : $\\vecc N$"),
             "lesson.md:11:15: found the unknown command '\\vecc', expected '\\vec'");
-  EXPECT_EQ(error_of("alt A.\nrefraction angle=95"), "lesson.md:11:18: found '95', expected a number from 0 to 89");
-  EXPECT_EQ(error_of("alt A.\nrefraction angel=40"), "lesson.md:11:12: found 'angel', expected 'angle'");
-  EXPECT_EQ(error_of("alt A.\nintervals a=1,4,2"),
+  EXPECT_EQ(figure_fault("alt A.\nrefraction angle=95"), "lesson.md:11:18: found '95', expected a number from 0 to 89");
+  EXPECT_EQ(figure_fault("alt A.\nrefraction angel=40"), "lesson.md:11:12: found 'angel', expected 'angle'");
+  EXPECT_EQ(figure_fault("alt A.\nintervals a=1,4,2"),
             "lesson.md:11:13: found '1,4,2', expected pairs of ends, each larger than the one before");
-  EXPECT_EQ(error_of("alt A.\nline (0, 0) (1, 1"), "lesson.md:11:13: found '(' without its partner, expected (x, y)");
-  EXPECT_EQ(error_of("line (0, 0) (1, 1)"),
+  EXPECT_EQ(figure_fault("alt A.\nline (0, 0) (1, 1"),
+            "lesson.md:11:13: found '(' without its partner, expected (x, y)");
+  EXPECT_EQ(figure_fault("line (0, 0) (1, 1)"),
             "lesson.md:10:1: found a figure without a description, expected a line 'alt What it shows.'");
-  EXPECT_EQ(error_of("alt A.\n"),
+  EXPECT_EQ(figure_fault("alt A.\n"),
             "lesson.md:10:1: found a figure without marks, expected lines such as 'arrow (0, 0) (2, 1)'");
 }
 
 TEST(Figure, ProjectionHasSimilarTriangles) {
-  const Figure figure = drawn("projection distance=1.5 points=(6,4)");
+  const Figure figure = figure_of("projection distance=1.5 points=(6,4)");
   const Vec2d image = label_in(figure, "P′").at;
   EXPECT_DOUBLE_EQ(image.x, 1.5);
   EXPECT_DOUBLE_EQ(image.y / 1.5, 4.0 / 6);  // the same slope as that of P
@@ -107,7 +92,7 @@ TEST(Figure, ProjectionHasSimilarTriangles) {
 /// Snell: n1 sin θ1 = n2 sin θ2, read off the directions of the arrows.
 TEST(Figure, RefractionFollowsSnell) {
   for (const auto& [angle, from, to] : {std::array{50.0, 1.0, 1.5}, {20, 1.5, 1}, {70, 1.33, 2.4}}) {
-    const Figure figure = drawn(fmt::format("refraction angle={} from={} to={}", angle, from, to));
+    const Figure figure = figure_of(fmt::format("refraction angle={} from={} to={}", angle, from, to));
     const auto beyond = lines_in(figure, Role::a, LineTip::arrow), came = lines_in(figure, Role::light, LineTip::arrow);
     ASSERT_EQ(beyond.size(), 1u);
     const double theta_1 = angle_from_vertical(came.at(0).places[1] - came[0].places[0]),
@@ -117,16 +102,17 @@ TEST(Figure, RefractionFollowsSnell) {
     EXPECT_LT(beyond[0].places[1].y, 0);
   }
   const double critical = std::asin(1 / 1.5) * 180 / 3.14159265358979;
-  EXPECT_TRUE(lines_in(drawn(fmt::format("refraction angle={} from=1.5 to=1", critical + 0.1)), Role::a, LineTip::arrow)
-                  .empty());
+  EXPECT_TRUE(
+      lines_in(figure_of(fmt::format("refraction angle={} from=1.5 to=1", critical + 0.1)), Role::a, LineTip::arrow)
+          .empty());
   EXPECT_FALSE(
-      lines_in(drawn(fmt::format("refraction angle={} from=1.5 to=1", critical - 0.1)), Role::a, LineTip::arrow)
+      lines_in(figure_of(fmt::format("refraction angle={} from=1.5 to=1", critical - 0.1)), Role::a, LineTip::arrow)
           .empty());
 }
 
 /// R lies as far beyond N as L before it, and H halves the angle between L and V.
 TEST(Figure, SurfaceVectorsHaveTheirAngles) {
-  const Figure figure = drawn("surface light=50 eye=20");
+  const Figure figure = figure_of("surface light=50 eye=20");
   const auto degrees = [&](const std::string& name) {
     const Vec2d tip = label_in(figure, name).at;
     EXPECT_NEAR(std::hypot(tip.x, tip.y), 1, 1e-12) << name;
@@ -169,7 +155,7 @@ TEST(Figure, IntervalsFollowTheOperation) {
     }
     for (std::size_t k = 1; k < join.size(); ++k) EXPECT_LT(join[k - 1].second, join[k].first);
   }
-  EXPECT_EQ(label_in(drawn("intervals a=1,5 b=3,7 operation=difference"), "A − B").at.x, 0);
+  EXPECT_EQ(label_in(figure_of("intervals a=1,5 b=3,7 operation=difference"), "A − B").at.x, 0);
 }
 
 /// Perspective halves the image of a span where the depth is the harmonic mean of its ends.
@@ -177,7 +163,7 @@ TEST(Figure, DepthAlongASpanIsNotStraight) {
   EXPECT_DOUBLE_EQ(depth_on_screen(1, 6, 0.5), 2.0 * 1 * 6 / (1 + 6));
   EXPECT_DOUBLE_EQ(depth_on_screen(2, 5, 0), 2);
   EXPECT_DOUBLE_EQ(depth_on_screen(2, 5, 1), 5);
-  const Figure figure = drawn("depth-along-span first=1 last=6");
+  const Figure figure = figure_of("depth-along-span first=1 last=6");
   EXPECT_GT(label_in(figure, "3.5").at.y, label_in(figure, "1.714").at.y);
 }
 
@@ -188,7 +174,7 @@ TEST(Figure, EdgeSignsAreThoseOfBarycentricCoordinates) {
     return (a.x * (b.y - c.y) + b.x * (c.y - a.y) + c.x * (a.y - b.y)) / 2;
   };
   int labels = 0;
-  for (const FigureLabel& label : marks_of<FigureLabel>(drawn("edge-signs"))) {
+  for (const FigureLabel& label : marks_of<FigureLabel>(figure_of("edge-signs"))) {
     std::string signs;
     for (std::size_t i = 0; i < 3; ++i) signs += area(v[i], v[(i + 1) % 3], label.at) > 0 ? "+" : "−";
     EXPECT_EQ(text_of(label), signs);
@@ -199,9 +185,9 @@ TEST(Figure, EdgeSignsAreThoseOfBarycentricCoordinates) {
 
 /// The count at the surface is the number of volumes that it lies in, minus those that hold the eye.
 TEST(Figure, VolumesAreCountedUpToTheSurface) {
-  label_in(drawn("volume-count volumes=2,6 surface=4"), "sum 1");
-  label_in(drawn("volume-count volumes=2,6 surface=7"), "sum 0");
-  label_in(drawn("volume-count volumes=-1,3,4,9 surface=7"), "sum 0");  // the eye in a volume: one too few
+  label_in(figure_of("volume-count volumes=2,6 surface=4"), "sum 1");
+  label_in(figure_of("volume-count volumes=2,6 surface=7"), "sum 0");
+  label_in(figure_of("volume-count volumes=-1,3,4,9 surface=7"), "sum 0");  // the eye in a volume: one too few
 }
 
 TEST(Figure, LeavesOfATreeTileItAndHoldFewPoints) {
@@ -231,7 +217,7 @@ TEST(Figure, FootprintIsWhereThePixelsEdgesMeetTheGround) {
 }
 
 TEST(Figure, HitsAreOnTheCircleAndTheRay) {
-  const Figure figure = drawn("hits (0, 0) (8, 1.4) (5, 0.5) 1.5");
+  const Figure figure = figure_of("hits (0, 0) (8, 1.4) (5, 0.5) 1.5");
   const auto dots = marks_of<FigureDot>(figure);
   ASSERT_EQ(dots.size(), 2u);
   for (const FigureDot& dot : dots) {
@@ -243,7 +229,7 @@ TEST(Figure, HitsAreOnTheCircleAndTheRay) {
 
 /// One pixel a column of the longer side, none farther than half a pixel from the line.
 TEST(Figure, PixelsOfALineAreWithinHalfAPixelOfIt) {
-  const auto cells = marks_of<FigureArea>(drawn("grid (0, 0) (10, 6)\npixels (0, 1) (9, 5)"));
+  const auto cells = marks_of<FigureArea>(figure_of("grid (0, 0) (10, 6)\npixels (0, 1) (9, 5)"));
   ASSERT_EQ(cells.size(), 10u);
   for (const FigureArea& cell : cells) EXPECT_LE(std::abs(cell.corners[0].y - (1 + 4.0 / 9 * cell.corners[0].x)), 0.5);
 }
@@ -251,7 +237,7 @@ TEST(Figure, PixelsOfALineAreWithinHalfAPixelOfIt) {
 /// Bias lifts what is stored; half a texel's rise leaves no acne.
 TEST(Figure, ABiasOfHalfATexelsSlopeEndsAcne) {
   const auto wrong = [](double bias) {
-    return lines_in(drawn(fmt::format("map-steps angle=45 texels=5 bias={}", bias)), Role::wrong, LineTip::plain);
+    return lines_in(figure_of(fmt::format("map-steps angle=45 texels=5 bias={}", bias)), Role::wrong, LineTip::plain);
   };
   ASSERT_EQ(wrong(0).size(), 5u);
   EXPECT_NEAR(wrong(0)[0].places[0].x, 0.5, 1e-12);
@@ -315,9 +301,9 @@ std::string fault_of_labels(const Figure& figure, double width) {
 }
 
 TEST(Figure, LabelsThatLieOnEachOtherAreFound) {
-  EXPECT_EQ(fault_of_labels(drawn("label (0, 0) : first\nlabel (0, 0) : second\nline (-1, -1) (1, 1)"), 400),
+  EXPECT_EQ(fault_of_labels(figure_of("label (0, 0) : first\nlabel (0, 0) : second\nline (-1, -1) (1, 1)"), 400),
             "'second' lies on 'first'");
-  EXPECT_EQ(fault_of_labels(drawn("dot (0, 0) to-the-left : a label\ndot (1, 1) to-the-right : another"), 400), "");
+  EXPECT_EQ(fault_of_labels(figure_of("dot (0, 0) to-the-left : a label\ndot (1, 1) to-the-right : another"), 400), "");
 }
 
 TEST(Figure, LabelsOfAllLessonsAreFree) {
@@ -389,5 +375,4 @@ TEST(Figure, HandoutsHaveThemAsDrawingsWithTheirWords) {
 }
 
 }  // namespace
-}  // namespace figure_test
-}  // namespace ps
+}  // namespace ps::figure_test

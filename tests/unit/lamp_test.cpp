@@ -6,15 +6,14 @@
 #include <numbers>
 
 #include "options/option.h"
+#include "render/story/story_tree.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
 #include "scene/scene_text.h"
 #include "support/render_once.h"
 
-namespace lamp_test {
+namespace ps::lamp_test {
 namespace {
-
-using namespace ps;
 
 constexpr double radius = 0.5, height = 4, edge_height = 2;
 
@@ -101,11 +100,9 @@ TEST(Lamp, ThreadsAndTheInspectorSeeTheSameBits) {
         EXPECT_EQ(Vec3f(story.linear), one.colour.at(x, y));
         int rays = 0;
         double visible = 1;
-        for (const Event& event : story.events) {
-          if (const auto* ray = std::get_if<RayEvent>(&event.data)) rays += ray->kind == RayKind::shadow;
-          if (const auto* light = std::get_if<LightEvent>(&event.data); light && light->kind == LightKind::point)
-            visible = light->visible;
-        }
+        for (const auto* ray : events_of<RayEvent>(story.events)) rays += ray->kind == RayKind::shadow;
+        for (const auto* light : events_of<LightEvent>(story.events))
+          if (light->kind == LightKind::point) visible = light->visible;
         if (rays > 0) {
           EXPECT_EQ(rays, 5);
         }
@@ -116,4 +113,4 @@ TEST(Lamp, ThreadsAndTheInspectorSeeTheSameBits) {
 }
 
 }  // namespace
-}  // namespace lamp_test
+}  // namespace ps::lamp_test

@@ -11,10 +11,10 @@
 #include "scene/scene_file.h"
 #include "support/render_once.h"
 #include "support/run_cli.h"
+#include "support/settings_with.h"
 #include "support/trials.h"
 
-namespace ps {
-namespace left_out_objects_test {
+namespace ps::left_out_objects_test {
 namespace {
 
 PixelStory story_of(const Scene& scene, const Settings& settings, Vec2i pixel, int size) {
@@ -40,8 +40,7 @@ TEST(LeftOutObjects, ChangeNothingForTheOthersAndAreReported) {
   const Scene without = with_lens(false), with = with_lens(true);
   for (const char* assignment : {"draw=wireframe", "shading=gouraud", "shading=flat", "shadows=stencil-depth-fail",
                                  "shadows=map", "shading=phong"}) {
-    Settings settings;
-    settings.renderer = Renderer::rasterizer;
+    Settings settings{.renderer = Renderer::rasterizer};
     parse_assignment(assignment, settings);
     const auto draw = [&](const Scene& scene, Shading shading) {
       Settings own = settings;
@@ -67,12 +66,6 @@ bool says_objects(const std::vector<LeftOut>& all) {
   return std::any_of(all.begin(), all.end(), [](const LeftOut& one) { return one.kind == LeftOutKind::objects; });
 }
 
-Settings with_renderer(Renderer renderer) {
-  Settings settings;
-  settings.renderer = renderer;
-  return settings;
-}
-
 // An empty picture of a scene that is not empty is never left without a word.
 TEST(LeftOutObjects, EveryEmptyPictureOfABuiltInSceneIsExplained) {
   int empty = 0;
@@ -83,8 +76,7 @@ TEST(LeftOutObjects, EveryEmptyPictureOfABuiltInSceneIsExplained) {
       // The listings cull by the winding of the book's own camera, which a camera of the other handedness turns round.
       const Camera& camera = scene.camera;
       if (renderer == Renderer::textbook && dot(cross(camera.right, camera.up), camera.forward) < 0) continue;
-      Settings settings = settings_for(scene);
-      settings.renderer = renderer;
+      Settings settings = settings_for(scene, renderer);
       // What lies on the canvas is measured in its pixels.
       const View view = traits.canvas_items ? View{scene.camera, scene.canvas_width, scene.canvas_height}
                                             : View{scene.camera, 40, 30};
@@ -113,7 +105,7 @@ TEST(LeftOutObjects, AListingNamesWhatStandsBesideItsTriangle) {
                                   "sphere { center = (0, 0, 9) radius = 2 } }\n"
                                   "light { type = point  intensity = 0.5  position = (3, 2, 0) }\n",
                                   "mixed.scene", ".");
-  Settings settings = with_renderer(Renderer::textbook);
+  Settings settings{.renderer = Renderer::textbook};
   parse_assignment("listing=cgfs-13-shading", settings);
   const std::string verdict = story_of(scene, settings, {1, 1}, 8).verdict;
   for (const char* words : {"; the listing of CGFS ch. 13 leaves out ", "spheres",
@@ -129,7 +121,7 @@ TEST(LeftOutObjects, AVerdictNamesTheRendererOnce) {
                                   "sphere { center = (2, 0, 4)  radius = 1  color = red  reflective = 0.5 }\n"
                                   "light { type = point  intensity = 0.5  position = (3, 2, 0) }\n",
                                   "glass.scene", ".");
-  EXPECT_EQ(left_out_words(scene_traits(scene), with_renderer(Renderer::rasterizer)),
+  EXPECT_EQ(left_out_words(scene_traits(scene), Settings{.renderer = Renderer::rasterizer}),
             "; the rasterizer leaves out shadows and reflections, and shows transparent surfaces as opaque");
 }
 
@@ -137,7 +129,7 @@ TEST(LeftOutObjects, AVerdictNamesTheRendererOnce) {
 // remedy makes the words go.
 TEST(LeftOutObjects, TheRasterizersMissingEffectsAreNamedUntilTheyAreThere) {
   const Scene scene = load_scene("cgfs/reflections");
-  Settings settings = with_renderer(Renderer::rasterizer);
+  Settings settings{.renderer = Renderer::rasterizer};
   const auto words = [&] { return left_out_words(scene_traits(scene), settings); };
   EXPECT_EQ(words(), "; the rasterizer leaves out shadows and reflections");
   parse_assignment("shadows=map", settings);
@@ -146,7 +138,7 @@ TEST(LeftOutObjects, TheRasterizersMissingEffectsAreNamedUntilTheyAreThere) {
   EXPECT_EQ(words(), "");
   parse_assignment("shadows=none", settings);
   EXPECT_EQ(words(), "");
-  EXPECT_EQ(left_out_words(scene_traits(scene), with_renderer(Renderer::ray_tracer)), "");
+  EXPECT_EQ(left_out_words(scene_traits(scene), Settings{.renderer = Renderer::ray_tracer}), "");
 }
 
 // Each button does what it says: with its setting the thing is left out no longer, in every built-in scene.
@@ -190,5 +182,4 @@ TEST(LeftOutObjects, TheCommandLineNamesThemWithTheRemedy) {
 }
 
 }  // namespace
-}  // namespace left_out_objects_test
-}  // namespace ps
+}  // namespace ps::left_out_objects_test

@@ -4,15 +4,14 @@
 #include <cmath>
 
 #include "options/option.h"
+#include "render/story/story_tree.h"
 #include "scene/edit.h"
 #include "scene/scene_file.h"
 #include "scene/scene_writer.h"
 #include "support/render_once.h"
 
-namespace light_colours_test {
+namespace ps::light_colours_test {
 namespace {
-
-using namespace ps;
 
 constexpr const char* lamp =
     "light { type = point  intensity = 0.8  position = (1, 2, -1)  color = linear (0.9, 0.2, 0.1)\n"
@@ -75,12 +74,10 @@ double largest_error(const Scene& scene, const Settings& settings, int& shadows)
     for (int x = 0; x < side; x += 3) {
       const PixelStory story = inspect(scene, view, rays, {x, y});
       std::vector<bool> dark;
-      const HitEvent* hit = nullptr;
-      for (const Event& event : story.events) {
-        if (const auto* found = std::get_if<HitEvent>(&event.data)) hit = found;
-        if (const auto* light = std::get_if<LightEvent>(&event.data)) dark.push_back(light->visible == 0);
-      }
-      if (!hit || hit->id.object != 0) continue;
+      for (const auto* light : events_of<LightEvent>(story.events)) dark.push_back(light->visible == 0);
+      const auto hits = events_of<HitEvent>(story.events);
+      if (hits.empty() || hits.back()->id.object != 0) continue;
+      const HitEvent* hit = hits.back();
       shadows += static_cast<int>(std::count(dark.begin(), dark.end(), true));
       const Vec3d expected = by_hand(scene, hit->point, hit->shading_normal, dark);
       const Vec3d actual =
@@ -123,8 +120,7 @@ TEST(LightColours, OneColourForAllIsTheSamePicture) {
 TEST(LightColours, TheStoryAddsThemUp) {
   const Scene scene = wall(std::string(lamp) + sun, "");
   for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
-    Settings settings;
-    settings.renderer = renderer;
+    Settings settings{.renderer = renderer};
     settings.shadows = Shadows::none;
     const PixelStory story = inspect(scene, {scene.camera, 24, 24}, settings, {9, 12});
     std::string terms;
@@ -154,4 +150,4 @@ TEST(LightColours, AreWrittenReadAndEdited) {
 }
 
 }  // namespace
-}  // namespace light_colours_test
+}  // namespace ps::light_colours_test

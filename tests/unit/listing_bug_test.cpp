@@ -13,15 +13,14 @@
 #include "support/refusal.h"
 #include "support/render_once.h"
 #include "support/run_cli.h"
+#include "support/settings_with.h"
 #include "support/trials.h"
 #include "textbook/bug_patch.h"
 #include "textbook/listing_source.h"
 #include "textbook/listing_view.h"
 
-namespace listing_bug_test {
+namespace ps::listing_bug_test {
 namespace {
-
-using namespace ps;
 
 NamedListing variant_of(const ListingBug& bug) {
   return {std::string(bug.folder), {}, bug.listing, std::string(bug.name)};
@@ -139,8 +138,7 @@ const char* scene_for(std::string_view folder) {
 }
 
 Settings settings_of(const Scene& scene, const ListingBug& bug) {
-  Settings settings = settings_for(scene);
-  settings.renderer = Renderer::textbook;
+  Settings settings = settings_for(scene, Renderer::textbook);
   for (std::size_t i = 0; i < listings().size(); ++i)
     if (listings()[i].folder == bug.folder) settings.listing = static_cast<int>(i) + 1;
   return settings;
@@ -257,4 +255,4 @@ TEST(ListingBug, InspectShowsItsLinesAndValues) {
 }
 
 }  // namespace
-}  // namespace listing_bug_test
+}  // namespace ps::listing_bug_test

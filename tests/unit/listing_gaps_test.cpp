@@ -12,8 +12,7 @@
 #include "scene/scene_file.h"
 #include "support/render_once.h"
 
-namespace ps {
-namespace listing_gaps_test {
+namespace ps::listing_gaps_test {
 namespace {
 
 /// The parts of a scene that a trait changes, and the words of what is left out without it.
@@ -78,8 +77,7 @@ TEST(ListingGaps, AreReportedByEveryListingThatHasThem) {
     for (const NamedListing& listing : listings()) {
       const ListingDraws& draws = listing.listing->draws;
       if (!(ball ? draws.spheres : draws.models)) continue;
-      Settings listed;
-      listed.renderer = Renderer::textbook;
+      Settings listed{.renderer = Renderer::textbook};
       parse_assignment("listing=" + listing.key, listed);
       Settings traced = listed;
       traced.renderer = Renderer::ray_tracer;
@@ -108,5 +106,4 @@ TEST(ListingGaps, AreReportedByEveryListingThatHasThem) {
 }
 
 }  // namespace
-}  // namespace listing_gaps_test
-}  // namespace ps
+}  // namespace ps::listing_gaps_test

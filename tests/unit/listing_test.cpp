@@ -7,20 +7,20 @@
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "render/left_out.h"
+#include "render/story/story_tree.h"
 #include "scene/load.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 #include "support/trials.h"
 #include "textbook/book_math.h"
 #include "textbook/listing_events.h"
 #include "textbook/listing_view.h"
 
-namespace ps {
-namespace listing_test {
+namespace ps::listing_test {
 namespace {
 
 Settings textbook(const Scene& scene) {
-  Settings settings = settings_for(scene);
-  settings.renderer = Renderer::textbook;
+  Settings settings = settings_for(scene, Renderer::textbook);
   return settings;
 }
 
@@ -254,29 +254,22 @@ TEST(Listing, EventsAreThoseOfTheRayTracer) {
     const PixelStory traced = inspect(scene, view, settings, pixel);
     settings.renderer = Renderer::textbook;
     const PixelStory listed = inspect(scene, view, settings, pixel);
-    std::vector<HitEvent> hits_traced, hits_listed;
-    std::vector<LightEvent> lights_traced, lights_listed;
-    const auto gather = [](const PixelStory& story, auto& hits, auto& lights) {
-      for (const Event& event : story.events) {
-        if (const auto* hit = std::get_if<HitEvent>(&event.data)) hits.push_back(*hit);
-        if (const auto* light = std::get_if<LightEvent>(&event.data)) lights.push_back(*light);
-      }
-    };
-    gather(traced, hits_traced, lights_traced);
-    gather(listed, hits_listed, lights_listed);
+    const auto hits_traced = events_of<HitEvent>(traced.events), hits_listed = events_of<HitEvent>(listed.events);
+    const auto lights_traced = events_of<LightEvent>(traced.events),
+               lights_listed = events_of<LightEvent>(listed.events);
     ASSERT_FALSE(hits_traced.empty() || lights_traced.empty());
     ASSERT_EQ(hits_listed.size(), hits_traced.size());
     ASSERT_EQ(lights_listed.size(), lights_traced.size());
     for (std::size_t i = 0; i < hits_traced.size(); ++i) {
-      EXPECT_EQ(hits_listed[i].id, hits_traced[i].id);
-      EXPECT_NEAR(hits_listed[i].t, hits_traced[i].t, 1e-9);
-      EXPECT_LT(length(hits_listed[i].shading_normal - hits_traced[i].shading_normal), 1e-9);
+      EXPECT_EQ(hits_listed[i]->id, hits_traced[i]->id);
+      EXPECT_NEAR(hits_listed[i]->t, hits_traced[i]->t, 1e-9);
+      EXPECT_LT(length(hits_listed[i]->shading_normal - hits_traced[i]->shading_normal), 1e-9);
     }
     for (std::size_t i = 0; i < lights_traced.size(); ++i) {
-      EXPECT_NEAR(lights_listed[i].diffuse, lights_traced[i].diffuse, 1e-9);
-      EXPECT_NEAR(lights_listed[i].specular, lights_traced[i].specular, 1e-9);
-      EXPECT_EQ(lights_listed[i].blocker.has_value(), lights_traced[i].blocker.has_value());
-      EXPECT_EQ(lights_listed[i].below_horizon, lights_traced[i].below_horizon);
+      EXPECT_NEAR(lights_listed[i]->diffuse, lights_traced[i]->diffuse, 1e-9);
+      EXPECT_NEAR(lights_listed[i]->specular, lights_traced[i]->specular, 1e-9);
+      EXPECT_EQ(lights_listed[i]->blocker.has_value(), lights_traced[i]->blocker.has_value());
+      EXPECT_EQ(lights_listed[i]->below_horizon, lights_traced[i]->below_horizon);
     }
   }
 }
@@ -469,8 +462,7 @@ TEST(Listing, EveryOptionThatItReadsActs) {
   const SceneTraits traits = scene_traits(load_scene("cgfs/cubes"));
   std::size_t read = 0;
   for (std::size_t i = 0; i < listings().size(); ++i) {
-    Settings settings;
-    settings.renderer = Renderer::textbook;
+    Settings settings{.renderer = Renderer::textbook};
     settings.listing = static_cast<int>(i) + 1;
     for (const std::string_view key : listings()[i].listing->reads) {
       EXPECT_FALSE(inactive_reason(*find_option(key), settings, traits)) << listings()[i].folder << " " << key;
@@ -483,5 +475,4 @@ TEST(Listing, EveryOptionThatItReadsActs) {
 }
 
 }  // namespace
-}  // namespace listing_test
-}  // namespace ps
+}  // namespace ps::listing_test

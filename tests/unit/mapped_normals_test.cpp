@@ -12,10 +12,8 @@
 #include "scene/scene_file.h"
 #include "support/render_once.h"
 
-namespace mapped_normals_test {
+namespace ps::mapped_normals_test {
 namespace {
-
-using namespace ps;
 
 /// A wall in the plane z = 0 of its model, u along x, v down; its map holds one normal, `texel` from 0 to 1.
 Scene wall(const Vec3f& texel, const Transform& transform) {
@@ -38,8 +36,7 @@ Scene wall(const Vec3f& texel, const Transform& transform) {
 }
 
 Vec3d normal_in_picture(const Scene& scene, Renderer renderer, MappedNormals how, Precision precision) {
-  Settings settings;
-  settings.renderer = renderer;
+  Settings settings{.renderer = renderer};
   settings.precision = precision;
   settings.mapped_normals = how;
   settings.backface_culling = false;
@@ -81,8 +78,7 @@ TEST(MappedNormals, StretchedWallInTheLight) {
     lights[0].direction = {0.7491, -0.3084, -0.5863};
   });
   for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
-    Settings settings;
-    settings.renderer = renderer;
+    Settings settings{.renderer = renderer};
     settings.backface_culling = false;
     settings.shadows = Shadows::none;
     const auto brightness = [&](MappedNormals how) {
@@ -139,4 +135,4 @@ TEST(MappedNormals, EqualScaleMakesNoDifference) {
 }
 
 }  // namespace
-}  // namespace mapped_normals_test
+}  // namespace ps::mapped_normals_test

@@ -18,9 +18,9 @@
 #include "scene/scene_file.h"
 #include "support/environment.h"
 #include "support/random_settings.h"
+#include "support/settings_with.h"
 
-namespace ps {
-namespace microscope_picture_test {
+namespace ps::microscope_picture_test {
 namespace {
 
 using test::below;
@@ -96,8 +96,7 @@ const std::vector<std::string_view> varied{
     "light-passes",    "clipping",      "draw",          "tessellation", "camera-relative"};
 
 Settings random_settings(const Scene& scene, std::mt19937& random) {
-  Settings settings = settings_for(scene);
-  settings.renderer = Renderer::rasterizer;
+  Settings settings = settings_for(scene, Renderer::rasterizer);
   settings.far = below(random, 4) == 0 ? no_far_limit : 10000;
   for (const std::string_view key : varied) {
     const bool is_of_depth = key.substr(0, 5) == "depth";
@@ -201,5 +200,4 @@ TEST(MicroscopePicture, ShowsWhatTheStorySaysAtRandomPixels) {
 }
 
 }  // namespace
-}  // namespace microscope_picture_test
-}  // namespace ps
+}  // namespace ps::microscope_picture_test

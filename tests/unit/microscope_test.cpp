@@ -13,11 +13,11 @@
 #include "inspect/microscope/enlarge.h"
 #include "inspect/microscope/micro_svg.h"
 #include "inspect/microscope/window_clip.h"
+#include "render/story/story_tree.h"
 #include "scene/load.h"
 #include "support/render_once.h"
 
-namespace ps {
-namespace microscope_test {
+namespace ps::microscope_test {
 namespace {
 
 struct Bench {
@@ -35,13 +35,6 @@ struct Bench {
   PixelStory story(Vec2i pixel) { return inspect(scene, view, settings, pixel, prepared, progress); }
 };
 
-template <class T>
-const T* first(const PixelStory& story) {
-  for (const Event& event : story.events)
-    if (const auto* found = std::get_if<T>(&event.data)) return found;
-  return nullptr;
-}
-
 // A ray through the middle of a pixel, made through the enlarged view, is the pixel's own ray: it must meet the same
 // triangle at the same place.
 TEST(Microscope, RayThroughTheMiddleIsThePixelsOwn) {
@@ -58,10 +51,11 @@ TEST(Microscope, RayThroughTheMiddleIsThePixelsOwn) {
         const EnlargedView one = enlarge(setup.view, setup.settings, Vec2d(pixel) + 0.5 - 1.0 / 2048, 1.0 / 1024, 1);
         const PixelStory own = setup.story(pixel);
         const PixelStory other = inspect(setup.scene, one.view, one.settings, {0, 0}, setup.prepared, setup.progress);
-        const auto *a = first<HitEvent>(own), *b = first<HitEvent>(other);
-        ASSERT_EQ(a == nullptr, b == nullptr) << name << " seed " << seed;
-        if (!a) continue;
+        const auto own_hits = events_of<HitEvent>(own.events), other_hits = events_of<HitEvent>(other.events);
+        ASSERT_EQ(own_hits.empty(), other_hits.empty()) << name << " seed " << seed;
+        if (own_hits.empty()) continue;
         ++hits;
+        const auto *a = own_hits.front(), *b = other_hits.front();
         EXPECT_EQ(a->id, b->id) << name << " seed " << seed;
         EXPECT_NEAR(length(a->point - b->point), 0, 1e-9 * (1 + a->t)) << name << " seed " << seed;
       }
@@ -101,9 +95,7 @@ TEST(Microscope, ReadsTheKernelsOwnNumbersAtTheSample) {
       const PixelStory story = setup.story(pixel);
       const Microscope scope(setup.scene, setup.view, setup.settings, pixel, setup.prepared, setup.progress);
       const MicroReading reading = scope.read({0.5, 0.5}, setup.prepared, setup.progress);
-      for (const Event& event : story.events) {
-        const auto* reported = std::get_if<FragmentEvent>(&event.data);
-        if (!reported) continue;
+      for (const auto* reported : events_of<FragmentEvent>(story.events)) {
         const auto same = [&](const MicroTriangle& triangle) {
           return triangle.id == reported->id && triangle.edges == reported->edges &&
                  triangle.weights == reported->weights && triangle.weights_2d == reported->weights_2d &&
@@ -114,8 +106,7 @@ TEST(Microscope, ReadsTheKernelsOwnNumbersAtTheSample) {
         ++fragments;
       }
       ASSERT_EQ(scope.samples().size(), 1u);
-      const auto* write = first<WriteEvent>(story);
-      EXPECT_EQ(scope.samples()[0].lit, write != nullptr) << name << " seed " << seed;
+      EXPECT_NE(scope.samples()[0].lit, events_of<WriteEvent>(story.events).empty()) << name << " seed " << seed;
     }
   }
   EXPECT_GT(fragments, 20) << "seed " << seed;
@@ -343,5 +334,4 @@ TEST(WindowClip, KeepsWhatIsInside) {
 }
 
 }  // namespace
-}  // namespace microscope_test
-}  // namespace ps
+}  // namespace ps::microscope_test

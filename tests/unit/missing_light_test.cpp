@@ -11,9 +11,9 @@
 #include "scene/scene_file.h"
 #include "support/render_once.h"
 #include "support/run_cli.h"
+#include "support/settings_with.h"
 
-namespace ps {
-namespace missing_light_test {
+namespace ps::missing_light_test {
 namespace {
 
 Scene lit_by(const std::string& lights) {
@@ -21,12 +21,6 @@ Scene lit_by(const std::string& lights) {
                      "triangle { vertices = [(-2, -2, 5), (-2, 2, 5), (2, 2, 5)] color = white }\n" +
                          lights,
                      "dark.scene", ".");
-}
-
-Settings with(std::initializer_list<std::string> assignments) {
-  Settings settings;
-  for (const std::string& one : assignments) parse_assignment(one, settings);
-  return settings;
 }
 
 /// The verdict of a pixel, and the words below the picture.
@@ -50,7 +44,7 @@ TEST(MissingLight, IsNamedWhereverThePictureIsBlack) {
          {std::string(), dark, dark + black, ambient, point, dark + point, ambient + dark + point})
       for (const char* shown : {"light-shown=all", "light-shown=0", "light-shown=1", "light-shown=5"}) {
         const Scene scene = lit_by(lights);
-        const Settings settings = with({renderer, shown});
+        const Settings settings = settings_with({}, {renderer, shown});
         const std::string words = said(scene, settings);
         EXPECT_EQ(words.find("shows black surfaces") != std::string::npos, is_black(scene, settings))
             << renderer << " " << shown << " " << lights << ": " << words;
@@ -68,10 +62,11 @@ TEST(MissingLight, IsNamedWhereverThePictureIsBlack) {
 TEST(MissingLight, IsNotMissedWhereNothingAsksForIt) {
   const Scene scene = lit_by("");
   for (const char* off : {"lighting=off", "draw=wireframe"}) {
-    const std::string words = said(scene, with({"renderer=rasterizer", off}));
+    const std::string words = said(scene, settings_with({}, {"renderer=rasterizer", off}));
     EXPECT_EQ(words.find("light"), std::string::npos) << off << ": " << words;
   }
-  EXPECT_EQ(said(load_scene("cgfs/lines"), with({"renderer=rasterizer"})).find("No light"), std::string::npos);
+  EXPECT_EQ(said(load_scene("cgfs/lines"), settings_with({}, {"renderer=rasterizer"})).find("No light"),
+            std::string::npos);
 }
 
 TEST(MissingLight, TheCommandLineSaysIt) {
@@ -86,9 +81,9 @@ TEST(TracedShadows, AreCalledSoWhateverIsAskedFor) {
   const Scene scene = load_scene("cgfs/shadows");
   const SceneTraits traits = scene_traits(scene);
   const Option& option = *find_option("shadows");
-  const auto traced = render(scene, {scene.camera, 60, 60}, with({"shadows=traced"})).colour;
+  const auto traced = render(scene, {scene.camera, 60, 60}, settings_with({}, {"shadows=traced"})).colour;
   for (const Choice& choice : option.choices) {
-    const Settings settings = with({"shadows=" + std::string(choice.key)});
+    const Settings settings = settings_with({}, {"shadows=" + std::string(choice.key)});
     const bool named_another = choice.key.starts_with("stencil");
     const auto picture = render(scene, {scene.camera, 60, 60}, settings).colour;
     const bool same = std::ranges::equal(picture.pixels(), traced.pixels());
@@ -102,5 +97,4 @@ TEST(TracedShadows, AreCalledSoWhateverIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace missing_light_test
-}  // namespace ps
+}  // namespace ps::missing_light_test

@@ -13,12 +13,11 @@
 #include "study/needs_words.h"
 #include "study/worst_tile.h"
 #include "support/environment.h"
+#include "support/settings_with.h"
 #include "support/trials.h"
 
-namespace needs_test {
+namespace ps::needs_test {
 namespace {
-
-using namespace ps;
 
 Needs needs_of(const std::string& name, double tolerance = 0.05) {
   NeedsRequest request;
@@ -196,8 +195,7 @@ TEST(Needs, TracedShadowsAreNoFeatureOfFragments) {
                                          [](const Feature& feature) { return feature.option == "shadows"; });
   for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer})
     for (const Shadows how : {Shadows::traced, Shadows::map}) {
-      Settings settings = settings_for(scene);
-      settings.renderer = renderer;
+      Settings settings = settings_for(scene, renderer);
       settings.shadows = how;
       const auto picture = [&](const Settings& of) { return render(scene, {scene.camera, 64, 64}, of).colour; };
       const bool seen = picture(settings) != picture(without(shadows, settings));
@@ -207,4 +205,4 @@ TEST(Needs, TracedShadowsAreNoFeatureOfFragments) {
 }
 
 }  // namespace
-}  // namespace needs_test
+}  // namespace ps::needs_test

@@ -8,8 +8,7 @@
 #include "scene/world.h"
 #include "support/render_once.h"
 
-namespace ps {
-namespace normal_transform_test {
+namespace ps::normal_transform_test {
 namespace {
 
 /// The largest angle (degrees) between a transformed normal and that of x^2 / s^2 + y^2 + z^2 = 1.
@@ -44,8 +43,7 @@ TEST(NormalTransform, InverseTransposeIsRightWhereTheModelMatrixIsNot) {
 // same.
 TEST(NormalTransform, ShowsOnlyOnBallsThatAreNotScaledAlike) {
   const Scene scene = load_scene("lab/flattened");
-  Settings settings;
-  settings.renderer = Renderer::rasterizer;
+  Settings settings{.renderer = Renderer::rasterizer};
   RenderRequest request;
   request.channels = Channel::ids;
   const View view{scene.camera, 200, 200};
@@ -67,5 +65,4 @@ TEST(NormalTransform, ShowsOnlyOnBallsThatAreNotScaledAlike) {
 }
 
 }  // namespace
-}  // namespace normal_transform_test
-}  // namespace ps
+}  // namespace ps::normal_transform_test

@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "support/environment.h"
+#include "support/seeded_random.h"
 
 namespace number_text_test {
 namespace {
@@ -53,9 +53,7 @@ TEST(NumberText, AgreesWithTheCLibrary) {
     EXPECT_EQ(*parse_number(text), std::strtod(text, nullptr)) << text;
     EXPECT_EQ(std::signbit(*parse_number(text)), std::signbit(std::strtod(text, nullptr))) << text;
   }
-  const unsigned seed = ps::test::test_seed();
-  SCOPED_TRACE("PIXELSCOPE_TEST_SEED=" + std::to_string(seed));
-  std::mt19937_64 random(seed);
+  ps::test::SeededRandom random;
   for (int trial = 0; trial < 5000; ++trial) {
     const auto value = std::bit_cast<double>(random());
     if (!std::isfinite(value)) continue;
@@ -72,9 +70,7 @@ TEST(NumberText, AgreesWithTheCLibrary) {
 
 // What looks like a number to a lenient reader: signs, dots and exponents in any order.
 TEST(NumberText, TakesWhatTheCLibraryTakesWhole) {
-  const unsigned seed = ps::test::test_seed();
-  SCOPED_TRACE("PIXELSCOPE_TEST_SEED=" + std::to_string(seed));
-  std::mt19937 random(seed);
+  ps::test::SeededRandom random;
   const std::string letters = "+-.012e";
   std::uniform_int_distribution<std::size_t> letter(0, letters.size() - 1), length(1, 6);
   for (int trial = 0; trial < 20000; ++trial) {

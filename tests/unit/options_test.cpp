@@ -12,9 +12,9 @@
 #include "options/option.h"
 #include "options/rows.h"
 #include "raytrace/base/embree_triangles.h"
+#include "support/settings_with.h"
 
-namespace ps {
-namespace options_test {
+namespace ps::options_test {
 namespace {
 
 enum class Fruit { apple, pear, plum };
@@ -172,8 +172,7 @@ TEST(OptionTable, ChangedOptionsRebuildTheSettings) {
   settings.reflection_depth = 7;
   settings.self_hit = SelfHit::epsilon;
   settings.gamma = 2.2;
-  Settings rebuilt;
-  for (const std::string& assignment : changed_options(settings)) parse_assignment(assignment, rebuilt);
+  Settings rebuilt = settings_with({}, changed_options(settings));
   EXPECT_EQ(rebuilt, settings);
   EXPECT_EQ(changed_options(settings).size(), 3u);
   EXPECT_TRUE(changed_options(Settings{}).empty());
@@ -229,5 +228,4 @@ TEST(OptionTable, EachDeclaresItsTruth) {
 }
 
 }  // namespace
-}  // namespace options_test
-}  // namespace ps
+}  // namespace ps::options_test

@@ -1,14 +1,12 @@
 #include "study/pareto.h"
+#include "support/seeded_random.h"
 
 #include <cmath>
-#include <random>
 
 #include <gtest/gtest.h>
 
-namespace pareto_test {
+namespace ps::pareto_test {
 namespace {
-
-using namespace ps;
 
 /// By the definition: nobody else is at least as good in both and better in one.
 std::vector<bool> by_definition(const std::vector<Tradeoff>& points) {
@@ -24,9 +22,7 @@ std::vector<bool> by_definition(const std::vector<Tradeoff>& points) {
 }
 
 TEST(Pareto, MatchesTheDefinitionOnRandomPointsWithManyTies) {
-  const unsigned seed = std::random_device{}();
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 random(seed);
+  test::SeededRandom random;
   for (int round = 0; round < 2000; ++round) {
     std::vector<Tradeoff> points(random() % 13);
     for (Tradeoff& point : points) point = {static_cast<double>(random() % 5), static_cast<double>(random() % 5)};
@@ -43,4 +39,4 @@ TEST(Pareto, OnePointAndEqualPointsAreTheFront) {
 }
 
 }  // namespace
-}  // namespace pareto_test
+}  // namespace ps::pareto_test

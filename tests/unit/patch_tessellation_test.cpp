@@ -114,8 +114,7 @@ TEST(PatchTessellation, CylinderSidesStayWithinTheProjectedError) {
 TEST(PatchTessellation, DrawsTheSameTeapotWithFewerTriangles) {
   Scene scene = load_scene("cgpp/teapot");
   const auto draw = [&](Patches patches, double error) {
-    Settings settings;
-    settings.renderer = Renderer::rasterizer;
+    Settings settings{.renderer = Renderer::rasterizer};
     settings.viewport_fit = ViewportFit::width;
     settings.near = 0.1;
     settings.patches = patches;

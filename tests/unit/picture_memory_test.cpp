@@ -10,6 +10,7 @@
 #include "render/render.h"
 #include "scene/scene_file.h"
 #include "support/refusal.h"
+#include "support/settings_with.h"
 
 namespace ps::picture_memory_test {
 namespace {
@@ -17,9 +18,7 @@ namespace {
 /// The refusal of a picture that would take terabytes.
 std::string refusal(const std::string& scene_text, int size, const std::vector<std::string>& assignments) {
   const Scene scene = parse_scene(scene_text, "large.scene", ".");
-  Settings settings = settings_for(scene);
-  settings.renderer = Renderer::rasterizer;
-  for (const std::string& one : assignments) parse_assignment(one, settings);
+  Settings settings = settings_with(settings_for(scene, Renderer::rasterizer), assignments);
   return test::refusal_of([&] { render(scene, {scene.camera, size, size}, settings); });
 }
 

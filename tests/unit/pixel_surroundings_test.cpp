@@ -12,11 +12,10 @@
 #include "scene/load.h"
 #include "scene/scene_file.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 
-namespace pixel_surroundings_test {
+namespace ps::pixel_surroundings_test {
 namespace {
-
-using namespace ps;
 
 constexpr int side = 100;
 
@@ -33,8 +32,7 @@ Scene wall_and_square() {
 
 std::optional<PixelSurroundings> around(const Scene& scene, std::initializer_list<const char*> assignments,
                                         Vec2i pixel) {
-  Settings settings = settings_for(scene);
-  for (const char* one : assignments) parse_assignment(one, settings);
+  Settings settings = settings_with(settings_for(scene), assignments);
   Prepared prepared;
   Progress progress;
   const Microscope scope(scene, {scene.camera, side, side}, settings, pixel, prepared, progress);
@@ -43,8 +41,7 @@ std::optional<PixelSurroundings> around(const Scene& scene, std::initializer_lis
 
 /// The nearest pixel with another object beside it, looked for in the whole picture.
 double nearest_by_hand(const Scene& scene, Vec2i from) {
-  Settings settings = settings_for(scene);
-  settings.renderer = Renderer::ray_tracer;
+  Settings settings = settings_for(scene, Renderer::ray_tracer);
   const Frame frame = render(scene, {scene.camera, side, side}, settings, request_for(Channel::ids));
   double least = 1e9;
   for (int y = 0; y < side; ++y)
@@ -158,8 +155,7 @@ struct Compared {
 
 /// Looks around some pixels; what is found must be as the whole picture has it.
 Compared compare_with_picture(const Scene& scene, const std::vector<const char*>& assignments) {
-  Settings settings = settings_for(scene);
-  for (const char* one : assignments) parse_assignment(one, settings);
+  Settings settings = settings_with(settings_for(scene), assignments);
   Prepared prepared;
   Progress progress;
   const View view{scene.camera, side, side};
@@ -243,4 +239,4 @@ TEST(PixelSurroundings, FarFromAllEdgesItSaysHowFarItLooked) {
 }
 
 }  // namespace
-}  // namespace pixel_surroundings_test
+}  // namespace ps::pixel_surroundings_test

@@ -9,14 +9,13 @@
 #include "options/scene_settings.h"
 #include "scene/load.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 
-namespace ps {
-namespace predict_test {
+namespace ps::predict_test {
 namespace {
 
 PixelStory story_of(const Scene& scene, Renderer renderer, Vec2i pixel) {
-  Settings settings = settings_for(scene);
-  settings.renderer = renderer;
+  Settings settings = settings_for(scene, renderer);
   return inspect(scene, {scene.camera, 600, 600}, settings, pixel);
 }
 
@@ -88,5 +87,4 @@ TEST(Predict, LessonsAskQuestions) {
 }
 
 }  // namespace
-}  // namespace predict_test
-}  // namespace ps
+}  // namespace ps::predict_test

@@ -175,8 +175,7 @@ TEST(Clip, StagesAreCounted) {
 /// Colours of the clipped picture equal those of the unclipped one: weights are carried through the cuts.
 TEST(Clip, AttributesSurviveTheCut) {
   const Scene scene = triangle_scene({{-40, -3, 30}, {5, 2, 6}, {6, -30, 20}});
-  Settings settings;
-  settings.renderer = Renderer::rasterizer;
+  Settings settings{.renderer = Renderer::rasterizer};
   settings.backface_culling = false;
   settings.lighting = false;
   const auto make = [&](Clipping clipping) {

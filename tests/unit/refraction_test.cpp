@@ -13,10 +13,8 @@
 #include "shade/fresnel.h"
 #include "support/render_once.h"
 
-namespace refraction_test {
+namespace ps::refraction_test {
 namespace {
-
-using namespace ps;
 using std::numbers::pi;
 
 Vec3d at_angle(double degrees) { return {std::sin(degrees * pi / 180), -std::cos(degrees * pi / 180), 0}; }
@@ -82,12 +80,11 @@ TEST(Refraction, StoriesOfGlassAddUp) {
       for (int x = 20; x < 100; x += 7) {
         const PixelStory story = story_at(scene, settings, 120, 120, {x, y});
         expect_ledger_adds_up(story);
-        for (const Event& event : story.events)
-          if (const auto* e = std::get_if<RefractionEvent>(&event.data)) {
-            ++refractions;
-            totals += e->total ? 1 : 0;
-            EXPECT_NEAR(e->own_share + e->mirrored_share + e->refracted_share, 1, 1e-6);
-          }
+        for (const auto* e : events_of<RefractionEvent>(story.events)) {
+          ++refractions;
+          totals += e->total ? 1 : 0;
+          EXPECT_NEAR(e->own_share + e->mirrored_share + e->refracted_share, 1, 1e-6);
+        }
       }
   }
   EXPECT_GT(refractions, 100);
@@ -162,12 +159,10 @@ TEST(Refraction, OffMeansStraightThrough) {
   settings.near = 0;
   settings.refraction = false;
   const PixelStory story = story_at(scene, settings, 1, 1, {0, 0});
-  const HitEvent* last = nullptr;
-  for (const Event& event : story.events)
-    if (const auto* hit = std::get_if<HitEvent>(&event.data)) last = hit;
-  ASSERT_NE(last, nullptr);
-  EXPECT_NEAR(last->point.y, 0.05, 1e-12);
+  const auto hits = events_of<HitEvent>(story.events);
+  ASSERT_FALSE(hits.empty());
+  EXPECT_NEAR(hits.back()->point.y, 0.05, 1e-12);
 }
 
 }  // namespace
-}  // namespace refraction_test
+}  // namespace ps::refraction_test

@@ -8,10 +8,8 @@
 #include "scene/load.h"
 #include "support/render_once.h"
 
-namespace region_test {
+namespace ps::region_test {
 namespace {
-
-using namespace ps;
 
 Frame rendered(const Scene& scene, const Settings& settings, const RenderRequest& request, int width = 150,
                int height = 110) {
@@ -87,8 +85,7 @@ TEST(Region, TracesNoOtherPixels) {
 TEST(Direction, IsWhatTheViewportSays) {
   const Scene scene = load_scene("cgfs/spheres");  // looks along +z, viewport 1 x 1 at 1
   for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
-    Settings settings;
-    settings.renderer = renderer;
+    Settings settings{.renderer = renderer};
     const Frame frame = rendered(scene, settings, request_for(Channel::direction), 64, 64);
     for (int y = 0; y < 64; y += 9)
       for (int x = 0; x < 64; x += 7) {
@@ -104,4 +101,4 @@ TEST(Direction, IsWhatTheViewportSays) {
 }
 
 }  // namespace
-}  // namespace region_test
+}  // namespace ps::region_test

@@ -3,14 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include "base/enumerators.h"
 #include "document/permalink.h"
 #include "options/choice_key.h"
 #include "record/event_keys.h"
 #include "scene/scene_file.h"
 #include "scene/scene_writer.h"
 
-namespace ps {
-namespace scene_keys_test {
+namespace ps::scene_keys_test {
 namespace {
 
 TEST(SceneKeys, FormsHaveTheWordsOfTheBook) {
@@ -22,9 +22,9 @@ TEST(SceneKeys, FormsHaveTheWordsOfTheBook) {
   for (const std::string_view key : {"", "group", "brick", "Sphere"}) EXPECT_FALSE(form_named(key)) << key;
   EXPECT_EQ(operation_named("difference"), CsgOperation::difference);
   EXPECT_FALSE(operation_named("group"));
-  EXPECT_EQ(sides_named("front"), Sides::front);
-  EXPECT_EQ(blend_named("subtractive"), Blend::subtractive);
-  EXPECT_FALSE(blend_named("filter"));
+  EXPECT_EQ(enumerator_named<Sides>("front"), Sides::front);
+  EXPECT_EQ(enumerator_named<Blend>("subtractive"), Blend::subtractive);
+  EXPECT_FALSE(enumerator_named<Blend>("filter"));
 }
 
 TEST(SceneKeys, WrittenAsTheyAreRead) {
@@ -55,15 +55,15 @@ TEST(ChoiceKeys, AreThoseOfTheTable) {
   EXPECT_EQ(choice_key<&Settings::renderer>(Renderer::textbook), "textbook");
   EXPECT_EQ(choice_key<&Settings::precision>(Precision::float64), "double");
   EXPECT_EQ(option_of<&Settings::near>().key, "near");
+  EXPECT_EQ(event_key(CanvasFill::edges), "edge-functions") << "of the table, not of the enumerator";
   for (std::size_t i = 0; i < find_option("coverage")->choices.size(); ++i)
     EXPECT_EQ(event_key(static_cast<Coverage>(i)), find_option("coverage")->choices[i].key);
 }
 
 TEST(CompareKeys, AreReadAsTheyAreWritten) {
   for (const std::string_view key : {"side-by-side", "split", "difference", "only-a", "only-b"})
-    EXPECT_EQ(compare_key(parse_compare_mode(key)), key);
+    EXPECT_EQ(enumerator_key(parse_enumerator<CompareMode>("compare", key)), key);
 }
 
 }  // namespace
-}  // namespace scene_keys_test
-}  // namespace ps
+}  // namespace ps::scene_keys_test

@@ -4,19 +4,18 @@
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "render/left_out.h"
+#include "render/story/story_tree.h"
 #include "scene/load.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 
-namespace shadow_map_listing_test {
+namespace ps::shadow_map_listing_test {
 namespace {
-
-using namespace ps;
 
 constexpr const char* yard = "chapters/cgfs_15_shadows_in_the_rasterizer/yard.scene";
 
 Settings textbook(const Scene& scene) {
-  Settings settings = settings_for(scene);
-  settings.renderer = Renderer::textbook;
+  Settings settings = settings_for(scene, Renderer::textbook);
   return settings;
 }
 
@@ -41,17 +40,14 @@ TEST(ShadowMapListing, LookupsAreInItsStory) {
   int lit = 0, dark = 0;
   for (int x = 4; x < 600; x += 9) {
     const PixelStory story = inspect(scene, view, textbook(scene), {x, 230});
-    for (const Event& event : story.events) {
-      const auto* map = std::get_if<ShadowMapEvent>(&event.data);
-      if (!map) continue;
+    for (const auto* map : events_of<ShadowMapEvent>(story.events)) {
       ASSERT_EQ(map->taps.size(), 1u) << x;
       const bool sees = !(map->taps[0].stored < map->depth - map->bias);
       EXPECT_EQ(map->taps[0].lit, sees) << x;
       ++(sees ? lit : dark);
     }
-    for (const Event& event : story.events) {
-      const auto* light = std::get_if<LightEvent>(&event.data);
-      if (!light || light->kind != LightKind::directional) continue;
+    for (const auto* light : events_of<LightEvent>(story.events)) {
+      if (light->kind != LightKind::directional) continue;
       EXPECT_EQ(light->visible == 0, light->diffuse == 0 && !light->below_horizon) << x;
     }
   }
@@ -60,4 +56,4 @@ TEST(ShadowMapListing, LookupsAreInItsStory) {
 }
 
 }  // namespace
-}  // namespace shadow_map_listing_test
+}  // namespace ps::shadow_map_listing_test

@@ -10,10 +10,8 @@
 #include "scene/scene_file.h"
 #include "support/refusal.h"
 
-namespace shadow_map_memory_test {
+namespace ps::shadow_map_memory_test {
 namespace {
-
-using namespace ps;
 
 Scene scene_with_lights(int points) {
   std::string text = "sphere { center=(0,0,3) radius=1 } light { type = ambient intensity = 0.1 }"
@@ -23,8 +21,7 @@ Scene scene_with_lights(int points) {
 }
 
 Settings with_maps(int size) {
-  Settings settings;
-  settings.renderer = Renderer::rasterizer;
+  Settings settings{.renderer = Renderer::rasterizer};
   settings.shadows = Shadows::map;
   settings.shadow_map_size = size;
   return settings;
@@ -66,4 +63,4 @@ TEST(ShadowMapMemory, AThousandLightsAreRefusedBeforeTheFirstMap) {
 }
 
 }  // namespace
-}  // namespace shadow_map_memory_test
+}  // namespace ps::shadow_map_memory_test

@@ -3,12 +3,12 @@
 
 #include "inspect/space_model.h"
 #include "options/scene_settings.h"
+#include "render/story/story_tree.h"
 #include "scene/load.h"
 #include "support/render_once.h"
 #include "support/trials.h"
 
-namespace ps {
-namespace shadow_story_test {
+namespace ps::shadow_story_test {
 namespace {
 
 constexpr int width = 120, height = 80;
@@ -45,14 +45,6 @@ std::vector<Vec2i> pixels_of(const Frame& frame) {
     for (int x = 3; x < width; x += step)
       if (frame.ids.at(x, y).object >= 0) pixels.push_back({x, y});
   return pixels;
-}
-
-template <class T>
-std::vector<T> events_of(const PixelStory& story) {
-  std::vector<T> events;
-  for (const Event& event : story.events)
-    if (const T* one = std::get_if<T>(&event.data)) events.push_back(*one);
-  return events;
 }
 
 void expect_picture(ShadowedPicture& drawn) {
@@ -94,13 +86,13 @@ TEST(ShadowStory, SaysWhatACubeMapShows) {
     int mirrored = 0;
     for (const Vec2i pixel : pixels_of(drawn.frame)) {
       const PixelStory story = drawn.story(pixel);
-      const auto maps = events_of<EnvironmentEvent>(story);
-      const auto mirrors = events_of<ReflectionEvent>(story);
+      const auto maps = events_of<EnvironmentEvent>(story.events);
+      const auto mirrors = events_of<ReflectionEvent>(story.events);
       ASSERT_EQ(maps.size(), mirrors.size());
       if (maps.empty()) continue;
       ++mirrored;
-      EXPECT_EQ(maps.back().result, mirrors.back().reflected);
-      EXPECT_EQ(maps.back().centre.x, 0);
+      EXPECT_EQ(maps.back()->result, mirrors.back()->reflected);
+      EXPECT_EQ(maps.back()->centre.x, 0);
     }
     EXPECT_GT(mirrored, 3);
   }
@@ -111,9 +103,9 @@ TEST(ShadowStory, StencilCountsAreTheSumOfTheirCrossings) {
   int crossed = 0;
   for (const Vec2i pixel : pixels_of(drawn.frame)) {
     const PixelStory story = drawn.story(pixel);
-    const auto counts = events_of<StencilEvent>(story);
+    const auto counts = events_of<StencilEvent>(story.events);
     ASSERT_FALSE(counts.empty());
-    const StencilEvent& last = counts.back();
+    const StencilEvent& last = *counts.back();
     int sum = 0;
     for (const VolumeCrossing& crossing : last.crossings) {
       sum += crossing.change;
@@ -135,17 +127,17 @@ TEST(ShadowStory, MapsReportTheirTapsAndTheComparison) {
   int compared = 0;
   for (const Vec2i pixel : pixels_of(drawn.frame)) {
     const PixelStory story = drawn.story(pixel);
-    for (const ShadowMapEvent& event : events_of<ShadowMapEvent>(story)) {
-      if (event.outside) continue;
-      ASSERT_EQ(event.taps.size(), 9u);
+    for (const auto* event : events_of<ShadowMapEvent>(story.events)) {
+      if (event->outside) continue;
+      ASSERT_EQ(event->taps.size(), 9u);
       int lit = 0;
-      for (const ShadowTap& tap : event.taps) {
-        EXPECT_EQ(tap.lit, !(float(tap.stored) < float(event.depth) - float(event.bias)));
+      for (const ShadowTap& tap : event->taps) {
+        EXPECT_EQ(tap.lit, !(float(tap.stored) < float(event->depth) - float(event->bias)));
         lit += tap.lit ? 1 : 0;
       }
-      EXPECT_NEAR(event.visible, lit / 9.0, 1e-6);
-      EXPECT_EQ(event.taps[4].x, static_cast<int>(event.position.x));
-      EXPECT_EQ(event.taps[4].y, static_cast<int>(event.position.y));
+      EXPECT_NEAR(event->visible, lit / 9.0, 1e-6);
+      EXPECT_EQ(event->taps[4].x, static_cast<int>(event->position.x));
+      EXPECT_EQ(event->taps[4].y, static_cast<int>(event->position.y));
       ++compared;
     }
   }
@@ -179,5 +171,4 @@ TEST(ShadowStory, PicturesAreTheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace shadow_story_test
-}  // namespace ps
+}  // namespace ps::shadow_story_test

@@ -2,13 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <map>
-#include <random>
 
 #include "raster/shadow/shadow_volume.h"
 #include "scene/sphere_mesh.h"
+#include "support/seeded_random.h"
 
-namespace ps {
-namespace shadow_volume_test {
+namespace ps::shadow_volume_test {
 namespace {
 
 using raster::DrawObject;
@@ -74,14 +73,11 @@ TEST(ShadowVolume, ALightInsideAClosedModelIsHiddenFromEverythingOutside) {
 }
 
 TEST(ShadowVolume, IsClosedAndFacesOutwardsForClosedAndOpenModels) {
-  const unsigned seed = std::random_device{}();
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> any(-6, 6);
+  test::SeededRandom random;
   DrawObject ball;
   ball.mesh = std::make_shared<const Mesh>(make_sphere_mesh(12));
   for (int i = 0; i < 200; ++i) {
-    const Light light = point_light({any(random), any(random), any(random)});
+    const Light light = point_light({random.between(-6, 6), random.between(-6, 6), random.between(-6, 6)});
     for (const DrawObject& object : {cube(), cube(7), cube(1), ball}) {
       const ShadowVolume volume = make_shadow_volume(object, light, {.reach = 50});
       ASSERT_TRUE(is_closed(*volume.surface));
@@ -136,5 +132,4 @@ TEST(ShadowVolume, WithoutCapsHasItsSidesAlone) {
 }
 
 }  // namespace
-}  // namespace shadow_volume_test
-}  // namespace ps
+}  // namespace ps::shadow_volume_test

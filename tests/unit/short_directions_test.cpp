@@ -16,10 +16,8 @@
 #include "shade/illumination.h"
 #include "shade/parallax_mapping.h"
 
-namespace short_directions_test {
+namespace ps::short_directions_test {
 namespace {
-
-using namespace ps;
 
 constexpr std::array<double, 6> lengths_of_directions{5e-324, 1e-300, 1e-170, 1e-162, 1e-30, 1e-12};
 
@@ -53,8 +51,7 @@ Scene scene_of(std::string text, double length) {
 }
 
 Frame picture_of(const Scene& scene, Renderer renderer, Shadows shadows) {
-  Settings settings;
-  settings.renderer = renderer;
+  Settings settings{.renderer = renderer};
   settings.shadows = shadows;
   settings.shadow_map_size = 64;
   return render(scene, {scene.camera, 24, 18}, settings);
@@ -178,4 +175,4 @@ TEST(ShortDirections, FramesOfTexturesKeepTheirShape) {
 }
 
 }  // namespace
-}  // namespace short_directions_test
+}  // namespace ps::short_directions_test

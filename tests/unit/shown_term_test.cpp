@@ -9,9 +9,9 @@
 #include "render/story/story_tree.h"
 #include "scene/load.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 
-namespace ps {
-namespace shown_term_test {
+namespace ps::shown_term_test {
 namespace {
 
 struct InspectedSum {
@@ -24,8 +24,7 @@ struct InspectedSum {
 
 InspectedSum inspect_sum(const std::string& name, Vec2i pixel, Renderer renderer) {
   const Scene scene = load_scene(name);
-  Settings settings = settings_for(scene);
-  settings.renderer = renderer;
+  Settings settings = settings_for(scene, renderer);
   return {inspect(scene, {scene.camera, 600, 600}, settings, pixel)};
 }
 
@@ -88,5 +87,4 @@ TEST(ShownTerm, AFragmentShowsWhatItWroteAndOneThatLostNothing) {
 }
 
 }  // namespace
-}  // namespace shown_term_test
-}  // namespace ps
+}  // namespace ps::shown_term_test

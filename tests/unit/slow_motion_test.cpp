@@ -14,15 +14,14 @@
 #include "document/permalink.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
+#include "render/story/story_tree.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
 #include "support/render_once.h"
 #include "support/trials.h"
 
-namespace slow_motion_test {
+namespace ps::slow_motion_test {
 namespace {
-
-using namespace ps;
 
 struct Set {
   Scene scene;
@@ -290,14 +289,13 @@ TEST(SlowMotion, SamplesAreTheMeanOfThoseSoFar) {
         const PixelStory story = inspect(set.scene, set.view, set.settings, {x, y});
         Vec3f sum(0);
         int taken = 0;
-        for (const Event& event : story.events)
-          if (const auto* sample = std::get_if<SampleEvent>(&event.data)) {
-            sum += Vec3f(sample->colour);
-            ++taken;
-            if (taken == 2 || taken == 5) {
-              ASSERT_EQ((taken == 2 ? two : five).colour.at(x, y), sum / static_cast<float>(taken));
-            }
+        for (const auto* sample : events_of<SampleEvent>(story.events)) {
+          sum += Vec3f(sample->colour);
+          ++taken;
+          if (taken == 2 || taken == 5) {
+            ASSERT_EQ((taken == 2 ? two : five).colour.at(x, y), sum / static_cast<float>(taken));
           }
+        }
         ASSERT_EQ(taken, 9);
       }
   }
@@ -434,4 +432,4 @@ TEST(SlowMotion, WordsNameTheLastOne) {
 }
 
 }  // namespace
-}  // namespace slow_motion_test
+}  // namespace ps::slow_motion_test

@@ -12,8 +12,7 @@
 #include "scene/load.h"
 #include "support/render_once.h"
 
-namespace ps {
-namespace space_model_test {
+namespace ps::space_model_test {
 namespace {
 
 struct InspectedPixel {
@@ -40,13 +39,6 @@ std::vector<const SpaceItem*> items_of(const SpaceModel& model, SpaceKind kind) 
   for (const SpaceItem& item : model.items)
     if (item.kind == kind) found.push_back(&item);
   return found;
-}
-
-template <class T>
-int count_events(const PixelStory& story) {
-  int count = 0;
-  for (const Event& event : story.events) count += std::holds_alternative<T>(event.data) ? 1 : 0;
-  return count;
 }
 
 double area(const std::vector<Vec3d>& p) { return glm::length(cross(p[1] - p[0], p[2] - p[0])) / 2; }
@@ -83,7 +75,7 @@ TEST(SpaceModel, EyeRayPassesThroughItsPixelOnTheImage) {
 
 TEST(SpaceModel, HitsLieOnTheirRaysAndOnTheirSpheres) {
   const InspectedPixel inspected = inspect_in_space("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
-  EXPECT_EQ(count_of(inspected.model, SpaceKind::hit_point), count_events<HitEvent>(inspected.story));
+  EXPECT_EQ(count_of(inspected.model, SpaceKind::hit_point), events_of<HitEvent>(inspected.story.events).size());
   EXPECT_GE(count_of(inspected.model, SpaceKind::reflection_ray), 1);
   for (const SpaceItem* hit : items_of(inspected.model, SpaceKind::hit_point)) {
     const auto& event = event_as<HitEvent>(inspected.story.events, hit->event);
@@ -104,7 +96,7 @@ TEST(SpaceModel, HitsLieOnTheirRaysAndOnTheirSpheres) {
 TEST(SpaceModel, NormalsAreAsLongAsTheRendererHadThem) {
   const InspectedPixel inspected = inspect_in_space("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
   const auto normals = items_of(inspected.model, SpaceKind::shading_normal);
-  ASSERT_EQ(static_cast<int>(normals.size()), count_events<HitEvent>(inspected.story));
+  ASSERT_EQ(normals.size(), events_of<HitEvent>(inspected.story.events).size());
   for (const SpaceItem* arrow : normals) {
     const Vec3d drawn = arrow->points[1] - arrow->points[0];
     EXPECT_NEAR(glm::length(drawn), normal_length(inspected.model.bounds), 1e-9);
@@ -118,14 +110,13 @@ TEST(SpaceModel, ShadowRaysEndAtTheirLightOrOnTheirBlocker) {
   for (const Vec2i pixel : {Vec2i(300, 420), Vec2i(180, 470), Vec2i(420, 330), Vec2i(250, 480), Vec2i(100, 400)}) {
     const InspectedPixel inspected = inspect_in_space("cgfs/reflections", pixel, Renderer::ray_tracer);
     int shadow_rays = 0;
-    for (const Event& event : inspected.story.events)
-      if (const auto* ray = std::get_if<RayEvent>(&event.data)) shadow_rays += ray->kind == RayKind::shadow ? 1 : 0;
+    for (const auto* ray : events_of<RayEvent>(inspected.story.events))
+      shadow_rays += ray->kind == RayKind::shadow ? 1 : 0;
     EXPECT_EQ(count_of(inspected.model, SpaceKind::shadow_ray_lit) +
                   count_of(inspected.model, SpaceKind::shadow_ray_blocked),
               shadow_rays);
     int blockers = 0;
-    for (const Event& event : inspected.story.events)
-      if (const auto* light = std::get_if<LightEvent>(&event.data)) blockers += light->blocker ? 1 : 0;
+    for (const auto* light : events_of<LightEvent>(inspected.story.events)) blockers += light->blocker ? 1 : 0;
     EXPECT_EQ(count_of(inspected.model, SpaceKind::shadow_ray_blocked), blockers);
     EXPECT_EQ(count_of(inspected.model, SpaceKind::light_direction), 0);
     for (const SpaceItem* ray : items_of(inspected.model, SpaceKind::shadow_ray_blocked)) {
@@ -195,7 +186,7 @@ TEST(SpaceModel, FragmentTrianglesAreTheModelsInTheWorld) {
     ++compared;
   }
   EXPECT_GT(compared, 0);
-  EXPECT_EQ(count_of(inspected.model, SpaceKind::hit_point), count_events<FragmentEvent>(inspected.story));
+  EXPECT_EQ(count_of(inspected.model, SpaceKind::hit_point), events_of<FragmentEvent>(inspected.story.events).size());
 }
 
 TEST(SpaceModel, StepsAreInOrderAndEachHasSomethingToShow) {
@@ -246,5 +237,4 @@ TEST(SpaceModel, AStoryOfASceneWithMoreLightsIsSurvived) {
 }
 
 }  // namespace
-}  // namespace space_model_test
-}  // namespace ps
+}  // namespace ps::space_model_test

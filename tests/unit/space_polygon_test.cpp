@@ -9,11 +9,10 @@
 #include "scene/scene_writer.h"
 #include "support/refusal.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 
-namespace space_polygon_test {
+namespace ps::space_polygon_test {
 namespace {
-
-using namespace ps;
 
 const std::string lights = "light { type = ambient intensity = 0.3 }\n"
                            "light { type = point intensity = 0.7 position = (1, 2, 0) }\n";
@@ -24,8 +23,7 @@ std::string refusal(const std::string& text) {
 }
 
 Frame drawn(const Scene& scene, Renderer renderer) {
-  Settings settings = settings_for(scene);
-  settings.renderer = renderer;
+  Settings settings = settings_for(scene, renderer);
   settings.backface_culling = false;
   return render(scene, {scene.camera, 80, 60}, settings, request_for(Channel::ids));
 }
@@ -91,4 +89,4 @@ TEST(SpacePolygon, RefusesWhatIsNotConvexOrHasNoArea) {
 }
 
 }  // namespace
-}  // namespace space_polygon_test
+}  // namespace ps::space_polygon_test

@@ -12,8 +12,7 @@
 #include "scene/load.h"
 #include "support/render_once.h"
 
-namespace ps {
-namespace space_projection_test {
+namespace ps::space_projection_test {
 namespace {
 
 constexpr std::array presets{SpacePreset::outside, SpacePreset::front, SpacePreset::side, SpacePreset::top};
@@ -92,8 +91,7 @@ TEST(SpaceProjection, AgreesWithTheRasterizersPicture) {
   for (const double pitch : {1.0, 1.4, std::numbers::pi / 2}) {
     orbit.pitch = pitch;
     const View view = orbit_view(orbit, scene.camera, 200, 200);
-    Settings settings;
-    settings.renderer = Renderer::rasterizer;
+    Settings settings{.renderer = Renderer::rasterizer};
     settings.near = 0.01;
     Prepared prepared;
     Progress progress;
@@ -157,5 +155,4 @@ TEST(SpaceProjection, LinesAreCutAtTheNearPlane) {
 }
 
 }  // namespace
-}  // namespace space_projection_test
-}  // namespace ps
+}  // namespace ps::space_projection_test

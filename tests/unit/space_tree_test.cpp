@@ -11,10 +11,8 @@
 #include "render/render.h"
 #include "scene/scene_file.h"
 
-namespace space_tree_test {
+namespace ps::space_tree_test {
 namespace {
-
-using namespace ps;
 
 Scene teapot_scene() {
   return parse_scene("model { name = t generator = teapot divisions = 3 } instance { model = t position = (0,-1,9) }"
@@ -142,12 +140,11 @@ TEST(SpaceTree, LeavesOutTheDeepestLevelsFirst) {
 }
 
 TEST(SpaceTree, IsEmptyWithoutRays) {
-  Settings settings;
-  settings.renderer = Renderer::rasterizer;
+  Settings settings{.renderer = Renderer::rasterizer};
   Prepared prepared;
   EXPECT_EQ(with_tree(settings, 1000, prepared).nodes, 0u);
   EXPECT_EQ(with_tree(Settings{.accelerator = Accelerator::none}, 1000, prepared).nodes, 0u);
 }
 
 }  // namespace
-}  // namespace space_tree_test
+}  // namespace ps::space_tree_test

@@ -7,10 +7,10 @@
 #include "record/recorder.h"
 #include "render/story/finish_story.h"
 #include "render/story/names.h"
+#include "study/stability/plain_scene.h"
 #include "support/stories.h"
 
-namespace ps {
-namespace story_test {
+namespace ps::story_test {
 namespace {
 
 Vec3d sum_of_level(const std::vector<LedgerLine>& ledger, std::size_t first, std::size_t last, int level) {
@@ -106,17 +106,11 @@ FragmentEvent fragment(int triangle, FragmentEvent::Depth depth) {
 }
 
 Scene cube_scene() {
-  Scene scene;
   Mesh mesh;
   mesh.name = "cube";
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.triangles.resize(12);
-  mesh.materials = {0};
-  Geometry geometry;
-  geometry.meshes = {std::make_shared<const Mesh>(mesh)};
-  geometry.objects = {{"", Instance{}}};
-  scene.geometry = Part<Geometry>(geometry);
-  scene.materials = Part<std::vector<Material>>({Material{}});
+  Scene scene = plain_scene("", std::move(mesh));
   scene.lights = Part<std::vector<Light>>({Light{LightKind::ambient, 0.5}});
   return scene;
 }
@@ -269,5 +263,4 @@ TEST(StoryJson, InfinityIsNull) {
 }
 
 }  // namespace
-}  // namespace story_test
-}  // namespace ps
+}  // namespace ps::story_test

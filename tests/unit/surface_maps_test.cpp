@@ -14,8 +14,7 @@
 #include "shade/reflection_map.h"
 #include "support/render_once.h"
 
-namespace ps {
-namespace surface_maps_test {
+namespace ps::surface_maps_test {
 namespace {
 
 constexpr int width = 40, height = 20;
@@ -57,22 +56,18 @@ Light frontal_light(double intensity) {
 Frame draw(const Scene& scene, const std::string& assignments) {
   Settings settings;
   settings.texture_filter = TextureFilter::nearest;
-  for (std::size_t from = 0; from < assignments.size();) {
-    const std::size_t to = std::min(assignments.find(' ', from), assignments.size());
-    parse_assignment(assignments.substr(from, to - from), settings);
-    from = to + 1;
-  }
+  parse_assignments(assignments, settings);
   return render(scene, {scene.camera, width, height}, settings);
 }
 
 /// The ray tracer, and the rasterizer on each path that it has.
 const std::vector<std::string> ways{"renderer=ray-tracer",
-                                    "renderer=ray-tracer simd=off",
+                                    "renderer=ray-tracer;simd=off",
                                     "renderer=rasterizer",
-                                    "renderer=rasterizer simd=off",
-                                    "renderer=rasterizer light-passes=many",
-                                    "renderer=rasterizer early-depth=on",
-                                    "renderer=rasterizer deferred-shading=on"};
+                                    "renderer=rasterizer;simd=off",
+                                    "renderer=rasterizer;light-passes=many",
+                                    "renderer=rasterizer;early-depth=on",
+                                    "renderer=rasterizer;deferred-shading=on"};
 
 /// Each pixel's colour must be what `expected(x, y)` gives for its centre in units of the canvas.
 void expect_everywhere(const Scene& scene, const std::vector<std::string>& all, const auto& expected) {
@@ -126,8 +121,8 @@ TEST(SurfaceMaps, OpacityMapLetsRaysThroughAndCutsFragmentsOut) {
   const Scene cut = with_lights(wall(folder, "color = red opacity_map = t", "texture { name = t file = cut.pgm }"),
                                 {ambient_light(1)});
   auto all = ways;
-  all.push_back("renderer=rasterizer visibility=painter");
-  all.push_back("renderer=rasterizer multisampling=4");
+  all.push_back("renderer=rasterizer;visibility=painter");
+  all.push_back("renderer=rasterizer;multisampling=4");
   expect_everywhere(cut, all, [](double u, double) { return is_left(u) ? Vec3d(1, 0, 0) : Vec3d(0, 0, 1); });
   // A quarter of the surface and three quarters of what is behind.
   const Scene glass = with_lights(wall(folder, "color = red opacity_map = t", "texture { name = t file = half.pgm }"),
@@ -150,8 +145,8 @@ TEST(SurfaceMaps, CutOutFragmentsHideNothing) {
   geometry.objects.push_back(behind);
   scene.geometry = Part<Geometry>(std::move(geometry));
   auto all = ways;
-  all.push_back("renderer=rasterizer multisampling=4");
-  all.push_back("renderer=rasterizer multisampling=4 depth-reversed=on depth-format=unorm");
+  all.push_back("renderer=rasterizer;multisampling=4");
+  all.push_back("renderer=rasterizer;multisampling=4;depth-reversed=on;depth-format=unorm");
   expect_everywhere(with_lights(scene, {ambient_light(1)}), all,
                     [](double u, double) { return is_left(u) ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0); });
 }
@@ -176,7 +171,7 @@ TEST(SurfaceMaps, WhatHasAnOpacityMapCastsNoShadow) {
         "panel.scene", folder.path().string());
     return draw(scene, way).colour.at(width / 2, height / 2).x;
   };
-  for (const std::string way : {"renderer=ray-tracer", "renderer=rasterizer shadows=map"}) {
+  for (const std::string way : {"renderer=ray-tracer", "renderer=rasterizer;shadows=map"}) {
     EXPECT_EQ(middle("", way), 0) << way;
     EXPECT_GT(middle("opacity_map = t", way), 0.3f) << way;
   }
@@ -187,7 +182,7 @@ TEST(SurfaceMaps, TexturesOffLeavesThemOut) {
   folder.write("t.pgm", "P2 1 1 255 0\n");
   const Scene scene =
       with_lights(wall(folder, "color = red opacity_map = t", "texture { name = t file = t.pgm }"), {ambient_light(1)});
-  expect_everywhere(scene, {"renderer=ray-tracer textures=off", "renderer=rasterizer textures=off"},
+  expect_everywhere(scene, {"renderer=ray-tracer;textures=off", "renderer=rasterizer;textures=off"},
                     [](double, double) { return Vec3d(1, 0, 0); });
 }
 
@@ -221,7 +216,7 @@ TEST(SurfaceMaps, CubeOfPicturesIsReflectedFaceByFace) {
   turned.camera.viewport_width = 8;
   turned.camera.viewport_height = 0.5;
   for (const std::string& way : ways) {
-    const Frame frame = draw(turned, way + " viewport-fit=stretch near=0.1");
+    const Frame frame = draw(turned, way + ";viewport-fit=stretch;near=0.1");
     // Seven pixels from the middle x / z is 1.4 or 1.5, so the mirrored ray goes through a side of the cube.
     EXPECT_EQ(frame.colour.at(width / 2 - 7, height / 2), Vec3f(0.5f * Vec3f(face_colours[0]))) << way;
     EXPECT_EQ(frame.colour.at(width / 2 + 7, height / 2), Vec3f(0.5f * Vec3f(face_colours[1]))) << way;
@@ -263,7 +258,7 @@ TEST(SurfaceMaps, WorldOfPicturesIsReflected) {
       wall(folder, "color = black reflective = 1 reflection_map = sky", "texture { name = sky file = sky.ppm }"),
       {ambient_light(1)});
   expect_everywhere(scene, ways, [](double, double v) { return v < 0.5 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0); });
-  expect_everywhere(scene, {"renderer=ray-tracer reflection-depth=0", "renderer=rasterizer reflection-depth=0"},
+  expect_everywhere(scene, {"renderer=ray-tracer;reflection-depth=0", "renderer=rasterizer;reflection-depth=0"},
                     [](double, double) { return Vec3d(0); });
 }
 
@@ -279,8 +274,7 @@ TEST(SurfaceMaps, EventsNameTheUseAndTheTexel) {
                        "texture { name = t file = t.ppm } texture { name = c file = cut.pgm }"),
                   {ambient_light(0.5), frontal_light(0.5)});
   for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
-    Settings settings;
-    settings.renderer = renderer;
+    Settings settings{.renderer = renderer};
     settings.texture_filter = TextureFilter::nearest;
     const View view{scene.camera, width, height};
     const auto uses = [&](Vec2i pixel) {
@@ -309,8 +303,7 @@ TEST(SurfaceMaps, TheLedgerNamesThePictureThatIsReflected) {
     const Scene scene = with_lights(wall(folder, "color = red " + material, "texture { name = sky file = sky.ppm }"),
                                     {ambient_light(1)});
     for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
-      Settings settings;
-      settings.renderer = renderer;
+      Settings settings{.renderer = renderer};
       settings.environment = Environment::cube_map;
       const PixelStory story = inspect(scene, {scene.camera, width, height}, settings, {5, 5});
       std::string terms;
@@ -324,8 +317,7 @@ TEST(SurfaceMaps, TheLedgerNamesThePictureThatIsReflected) {
 }
 
 TEST(SurfaceMaps, FastPathsDeclineWithTheirReason) {
-  Settings settings;
-  settings.renderer = Renderer::rasterizer;
+  Settings settings{.renderer = Renderer::rasterizer};
   SceneTraits traits;
   traits.triangles = traits.textures = true;
   if (!no_simd_reason(settings).empty()) GTEST_SKIP() << no_simd_reason(settings);
@@ -361,7 +353,7 @@ TEST(SurfaceMaps, AClampedTextureDoesNotRepeat) {
       "instance { model = wall }\nlight { type = ambient intensity = 1 }\n",
       "clamped.scene", folder.path().string());
   auto all = ways;
-  all.push_back("renderer=rasterizer texture-filter=nearest precision=double");
+  all.push_back("renderer=rasterizer;texture-filter=nearest;precision=double");
   expect_everywhere(scene, all, [](double u, double v) {
     const double across = 3 * u - 1;
     const double inside = v > 0.5 ? std::clamp(across, 0.0, 0.999) : across - std::floor(across);
@@ -451,5 +443,4 @@ TEST(SurfaceMaps, OpacityComesFromAlphaOrGrey) {
 }
 
 }  // namespace
-}  // namespace surface_maps_test
-}  // namespace ps
+}  // namespace ps::surface_maps_test

@@ -8,10 +8,8 @@
 #include "options/scene_settings.h"
 #include "scene/load.h"
 
-namespace sweep_test {
+namespace ps::sweep_test {
 namespace {
-
-using namespace ps;
 
 std::vector<SweepPoint> points_of(const std::vector<std::string>& texts, const std::string& scene_name) {
   const Scene scene = load_scene(scene_name);
@@ -48,12 +46,7 @@ TEST(Sweep, PointsReproduceTheirSettingsFromTheirText) {
       std::set<std::string> labels;
       for (const SweepPoint& point : points_of({std::string(sweep.key)}, name)) {
         Settings read = start;
-        std::string rest = point.settings;
-        while (!rest.empty()) {
-          const auto end = rest.find(';');
-          parse_assignment(rest.substr(0, end), read);
-          rest = end == std::string::npos ? "" : rest.substr(end + 1);
-        }
+        parse_assignments(point.settings, read);
         EXPECT_EQ(read, point.value) << sweep.key << ": " << point.settings;
         EXPECT_TRUE(labels.insert(point.label).second) << sweep.key << ": two points are called " << point.label;
       }
@@ -144,4 +137,4 @@ TEST(Sweep, ReportsOptionsThatActNowhere) {
 }
 
 }  // namespace
-}  // namespace sweep_test
+}  // namespace ps::sweep_test

@@ -11,6 +11,7 @@
 #include "options/scene_settings.h"
 #include "render/render.h"
 #include "scene/load.h"
+#include "support/settings_with.h"
 #include "support/shown_levels.h"
 
 namespace ps::technique_test {
@@ -142,8 +143,7 @@ TEST(Technique, WhatItNeedsIsSetInBoth) {
 
 TEST(Technique, KeepsTheRendererThatKnowsIt) {
   const Scene scene = load_scene("cgfs/reflections");
-  Settings settings = settings_for(scene);
-  settings.renderer = Renderer::rasterizer;
+  Settings settings = settings_for(scene, Renderer::rasterizer);
   const auto shadows = technique_pair(choice_of("shadows", "off"), settings, scene_traits(scene));
   ASSERT_TRUE(shadows);
   EXPECT_EQ(shadows->a.renderer, Renderer::rasterizer);

@@ -6,12 +6,11 @@
 #include "render/render.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
+#include "support/settings_with.h"
 #include "support/trials.h"
 
-namespace useful_shadow_rays_test {
+namespace ps::useful_shadow_rays_test {
 namespace {
-
-using namespace ps;
 
 constexpr int side = 101;
 
@@ -72,8 +71,7 @@ TEST(UsefulShadowRays, ChangeNoColour) {
   for (std::size_t i = 0; i < scenes.size(); i += test::list_step) {
     SCOPED_TRACE(scenes[i].name);
     const Scene scene = load_scene(scenes[i].name);
-    Settings settings = settings_for(scene);
-    settings.renderer = Renderer::ray_tracer;
+    Settings settings = settings_for(scene, Renderer::ray_tracer);
     if (settings.shadows != Shadows::none) settings.shadows = Shadows::traced;
     const View view{scene.camera, 64, 48};
     const Frame all = render(scene, view, settings);
@@ -89,4 +87,4 @@ TEST(UsefulShadowRays, ChangeNoColour) {
 }
 
 }  // namespace
-}  // namespace useful_shadow_rays_test
+}  // namespace ps::useful_shadow_rays_test

@@ -7,11 +7,12 @@
 
 #include "base/check.h"
 #include "options/scene_settings.h"
+#include "render/story/story_tree.h"
 #include "scene/load.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 
-namespace ps {
-namespace vertex_chain_test {
+namespace ps::vertex_chain_test {
 namespace {
 
 View view_of(const Scene& scene) { return {scene.camera, scene.canvas_width, scene.canvas_height}; }
@@ -55,14 +56,12 @@ TEST(VertexChain, MatricesLeadToTheSamePlace) {
 /// The corners that the rasterizer reports for a fragment are where the chain says.
 TEST(VertexChain, CornersOfFragmentsAreItsPlaces) {
   const Scene scene = load_scene("cgfs/crates");
-  Settings settings = settings_for(scene);
-  settings.renderer = Renderer::rasterizer;
+  Settings settings = settings_for(scene, Renderer::rasterizer);
   int compared = 0;
   for (const Vec2i pixel : {Vec2i(340, 130), Vec2i(180, 330), Vec2i(440, 150)}) {
     const PixelStory story = inspect(scene, view_of(scene), settings, pixel);
-    for (const Event& event : story.events) {
-      const auto* fragment = std::get_if<FragmentEvent>(&event.data);
-      if (!fragment || fragment->clipped_into != 1) continue;
+    for (const auto* fragment : events_of<FragmentEvent>(story.events)) {
+      if (fragment->clipped_into != 1) continue;
       const auto& instance =
           std::get<Instance>(scene.geometry->objects.at(static_cast<std::size_t>(fragment->id.object)).shape);
       const MeshTriangle& triangle =
@@ -120,5 +119,4 @@ TEST(VertexChain, RefusesWhatIsNoVertex) {
 }
 
 }  // namespace
-}  // namespace vertex_chain_test
-}  // namespace ps
+}  // namespace ps::vertex_chain_test

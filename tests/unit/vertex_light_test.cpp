@@ -12,11 +12,10 @@
 #include "scene/load.h"
 #include "scene/scene_file.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 
-namespace vertex_light_test {
+namespace ps::vertex_light_test {
 namespace {
-
-using namespace ps;
 
 /// One triangle; a light near the middle of it whose highlight is small.
 Scene one_triangle(const std::string& light = "(0, 0, 2.6)") {
@@ -30,17 +29,8 @@ Scene one_triangle(const std::string& light = "(0, 0, 2.6)") {
 }
 
 PixelStory story_of(const Scene& scene, std::initializer_list<const char*> assignments, Vec2i pixel) {
-  Settings settings = settings_for(scene);
-  settings.renderer = Renderer::rasterizer;
-  for (const char* one : assignments) parse_assignment(one, settings);
+  Settings settings = settings_with(settings_for(scene, Renderer::rasterizer), assignments);
   return inspect(scene, {scene.camera, 60, 60}, settings, pixel);
-}
-
-std::vector<VertexLightEvent> points_of(const PixelStory& story) {
-  std::vector<VertexLightEvent> points;
-  for (const Event& event : story.events)
-    if (const auto* point = std::get_if<VertexLightEvent>(&event.data)) points.push_back(*point);
-  return points;
 }
 
 /// Ambient light, and diffuse and specular light of the point light, by the equation in double; the eye is at 0.
@@ -61,15 +51,15 @@ TEST(VertexLight, GouraudNamesTheThreeVerticesWithTheirWeightsAndLights) {
     for (const char* interpolation : {"interpolation=perspective", "interpolation=affine"}) {
       const PixelStory story =
           story_of(scene, {"shading=gouraud", shadows, interpolation, "precision=double"}, {25, 40});
-      const auto points = points_of(story);
+      const auto points = events_of<VertexLightEvent>(story.events);
       ASSERT_EQ(points.size(), 3u) << shadows;
       double sum = 0, weights = 0;
       for (std::size_t k = 0; k < 3; ++k) {
-        EXPECT_EQ(points[k].vertex, static_cast<int>(k));
-        EXPECT_EQ(points[k].position, vertices[k]);
-        EXPECT_NEAR(points[k].light.x, light_by_hand(vertices[k], points[k].normal, {0, 0, 2.6}), 1e-12);
-        sum += points[k].weight * points[k].light.x;
-        weights += points[k].weight;
+        EXPECT_EQ(points[k]->vertex, static_cast<int>(k));
+        EXPECT_EQ(points[k]->position, vertices[k]);
+        EXPECT_NEAR(points[k]->light.x, light_by_hand(vertices[k], points[k]->normal, {0, 0, 2.6}), 1e-12);
+        sum += points[k]->weight * points[k]->light.x;
+        weights += points[k]->weight;
       }
       EXPECT_NEAR(weights, 1, 1e-12);
       EXPECT_NEAR(sum, story.linear.x, 1e-12);
@@ -89,7 +79,7 @@ TEST(VertexLight, GouraudNamesTheThreeVerticesWithTheirWeightsAndLights) {
       double total = 0;
       for (std::size_t k = 0; k < 3; ++k) {
         EXPECT_NE(lines[k]->term.find("weight"), std::string::npos) << lines[k]->term;
-        EXPECT_NEAR(lines[k]->value.x, points[k].weight * points[k].light.x, 1e-12);
+        EXPECT_NEAR(lines[k]->value.x, points[k]->weight * points[k]->light.x, 1e-12);
         double terms = 0;
         for (const LedgerLine* line = lines[k] + 1; line->level > lines[k]->level; ++line)
           if (line->level == lines[k]->level + 1) terms += line->value.x;
@@ -104,7 +94,7 @@ TEST(VertexLight, TheLineOfAVertexSaysHowMuchOfItsLightIsHighlight) {
   // The light is seen in the mirror of vertex 1 alone.
   const Scene scene = one_triangle("(0, 2, 2.4)");
   const PixelStory story = story_of(scene, {"shading=gouraud", "shadows=none"}, {30, 28});
-  const auto points = points_of(story);
+  const auto points = events_of<VertexLightEvent>(story.events);
   ASSERT_EQ(points.size(), 3u);
   int said = 0;
   for (std::size_t i = 0; i < story.events.size(); ++i) {
@@ -131,11 +121,11 @@ TEST(VertexLight, AClippedTriangleHasTheWeightsOfItsOwnVertices) {
   int seen = 0;
   for (int x = 20; x < 40; x += 3) {
     const PixelStory story = story_of(scene, {"shading=gouraud", "shadows=none", "precision=double"}, {x, 30});
-    const auto points = points_of(story);
+    const auto points = events_of<VertexLightEvent>(story.events);
     if (points.size() != 3) continue;
     ++seen;
     double sum = 0;
-    for (const VertexLightEvent& point : points) sum += point.weight * point.light.x;
+    for (const auto* point : points) sum += point->weight * point->light.x;
     EXPECT_NEAR(sum, story.linear.x, 1e-9);
   }
   EXPECT_GT(seen, 2);
@@ -145,26 +135,26 @@ TEST(VertexLight, FlatShadingNamesTheCentre) {
   const Scene scene = one_triangle();
   for (const char* shadows : {"shadows=none", "shadows=map"}) {
     const PixelStory story = story_of(scene, {"shading=flat", shadows, "precision=double"}, {25, 40});
-    const auto points = points_of(story);
+    const auto points = events_of<VertexLightEvent>(story.events);
     ASSERT_EQ(points.size(), 1u);
-    EXPECT_FALSE(points[0].vertex);
-    EXPECT_EQ(points[0].weight, 1);
+    EXPECT_FALSE(points[0]->vertex);
+    EXPECT_EQ(points[0]->weight, 1);
     const Vec3d centre{0, -1.0 / 3, 3};
-    EXPECT_NEAR(length(points[0].position - centre), 0, 1e-12);
-    EXPECT_NEAR(points[0].light.x, light_by_hand(centre, points[0].normal, {0, 0, 2.6}), 1e-12);
+    EXPECT_NEAR(length(points[0]->position - centre), 0, 1e-12);
+    EXPECT_NEAR(points[0]->light.x, light_by_hand(centre, points[0]->normal, {0, 0, 2.6}), 1e-12);
     int lines = 0;
     for (const LedgerLine& line : story.ledger) lines += line.term.find("centre of the triangle") == 0 ? 1 : 0;
     EXPECT_EQ(lines, 1);
   }
-  EXPECT_TRUE(points_of(story_of(scene, {"shading=phong"}, {25, 40})).empty());
+  const PixelStory phong = story_of(scene, {"shading=phong"}, {25, 40});
+  EXPECT_TRUE(events_of<VertexLightEvent>(phong.events).empty());
 }
 
 /// The sentence on what parts A from B, both on the rasterizer but for what is assigned.
 std::string parting_sentence(const Scene& scene, std::initializer_list<const char*> a,
                              std::initializer_list<const char*> b, Vec2i pixel) {
   const auto settings_of = [&](std::initializer_list<const char*> assignments) {
-    Settings settings = settings_for(scene);
-    settings.renderer = Renderer::rasterizer;
+    Settings settings = settings_for(scene, Renderer::rasterizer);
     settings.shadows = Shadows::none;
     for (const char* one : assignments) parse_assignment(one, settings);
     return settings;
@@ -200,4 +190,4 @@ TEST(VertexLight, PartingGivesTheNumbersOfBothSides) {
 }
 
 }  // namespace
-}  // namespace vertex_light_test
+}  // namespace ps::vertex_light_test

@@ -10,6 +10,7 @@
 #include "options/scene_settings.h"
 #include "options/waking.h"
 #include "scene/load.h"
+#include "support/settings_with.h"
 #include "support/trials.h"
 
 namespace ps {
@@ -17,12 +18,6 @@ namespace {
 
 bool acts(const Option& option, const Settings& settings, const SceneTraits& traits) {
   return !inactive_reason(option, settings, traits) && !inactive_value_reason(option, settings, traits);
-}
-
-Settings with(const std::vector<std::string>& assignments) {
-  Settings settings;
-  for (const std::string& assignment : assignments) parse_assignment(assignment, settings);
-  return settings;
 }
 
 /// All, or a few under a sanitizer.
@@ -54,7 +49,7 @@ TEST(Waking, WhatIsOfferedMakesTheOptionAct) {
   for (const BuiltinScene& builtin : scenes()) {
     const SceneTraits traits = scene_traits(load_scene(builtin.name));
     for (const auto& start : starts()) {
-      const Settings settings = with(start);
+      const Settings settings = settings_with({}, start);
       for (const Option& option : option_table()) {
         const Waking waking = waking_of(option, settings, traits);
         if (acts(option, settings, traits)) {
@@ -97,7 +92,7 @@ TEST(Waking, OnlyTheSceneCanLackMore) {
     const SceneTraits traits = scene_traits(load_scene(builtin.name));
     for (const auto& start : starts())
       for (const Option& option : option_table()) {
-        const Waking waking = waking_of(option, with(start), traits);
+        const Waking waking = waking_of(option, settings_with({}, start), traits);
         if (waking.missing.empty() || !has_a_renderer(option)) continue;
         const bool of_scene = waking.missing.find("scene") != std::string::npos ||
                               waking.missing.find("no light casts shadows") != std::string::npos;
@@ -123,7 +118,7 @@ TEST(IdleReason, NamesSettingsThatAnswerIt) {
     const SceneTraits traits = scene_traits(load_scene(builtin.name));
     for (const auto& start : starts())
       for (const Option& option : option_table()) {
-        const Settings settings = with(start);
+        const Settings settings = settings_with({}, start);
         const auto reason = inactive_reason(option, settings, traits);
         if (!reason) continue;
         EXPECT_EQ(reason->needs().empty(), reason->kind() != IdleReason::Kind::setting) << option.key;
@@ -144,7 +139,7 @@ TEST(IdleReason, NamesSettingsThatAnswerIt) {
 }
 
 std::string text_of(std::string_view key, const std::vector<std::string>& settings, const std::string& scene) {
-  return waking_text(waking_of(*find_option(key), with(settings), scene_traits(load_scene(scene))));
+  return waking_text(waking_of(*find_option(key), settings_with({}, settings), scene_traits(load_scene(scene))));
 }
 
 TEST(Waking, AsksForWhatTheReasonNames) {
@@ -169,8 +164,8 @@ TEST(Waking, FillRuleAndSubPixelBitsRestWhileAllIsFilledByRows) {
   SceneTraits with_models = canvas, lines_alone = canvas;
   with_models.triangles = true;
   lines_alone.canvas_triangles = false;
-  const Settings rows = with({"renderer=rasterizer", "canvas-fill=rows"});
-  const Settings edges = with({"renderer=rasterizer", "canvas-fill=edge-functions"});
+  const Settings rows = settings_with({}, {"renderer=rasterizer", "canvas-fill=rows"});
+  const Settings edges = settings_with({}, {"renderer=rasterizer", "canvas-fill=edge-functions"});
   for (const char* key : {"fill-rule", "subpixel-bits"}) {
     const Option& option = *find_option(key);
     EXPECT_EQ(text_of(inactive_reason(option, rows, canvas)), "needs canvas-fill = edge-functions") << key;

@@ -17,10 +17,8 @@
 #include "scene/scene_file.h"
 #include "support/shown_levels.h"
 
-namespace working_space_test {
+namespace ps::working_space_test {
 namespace {
-
-using namespace ps;
 
 constexpr int picture_width = 60, picture_height = 45;
 
@@ -96,8 +94,7 @@ TEST(WorkingSpace, RaysFarFromTheOriginShowWhatDoubleShows) {
 
 TEST(WorkingSpace, PicturesDoNotDependOnTheSizeOfTheScene) {
   for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
-    Settings settings;
-    settings.renderer = renderer;
+    Settings settings{.renderer = renderer};
     settings.shadows = renderer == Renderer::ray_tracer ? Shadows::traced : Shadows::stencil_depth_fail;
     const Image<Rgb8> wanted = levels_of(scene_at({0, 0, 0}), settings);
     for (const double size : {0.1, 1e-3, 1e-5, 1e-7, 1e-12, 1e-15, 1e-20, 1e-25, 1e-40, 1e-100, 1e10})
@@ -164,8 +161,7 @@ TEST(WorkingSpace, GroundsReachToTheHorizon) {
         settings.accelerator = static_cast<Accelerator>(i);
         EXPECT_EQ(ground_pixels(reach, settings), 32 * 65) << reach << " " << accelerators.choices[i].key;
       }
-    Settings settings;
-    settings.renderer = Renderer::rasterizer;
+    Settings settings{.renderer = Renderer::rasterizer};
     EXPECT_NEAR(ground_pixels(reach, settings), 32 * 65, 65) << reach;
   }
 }
@@ -188,8 +184,7 @@ TEST(ExtremeNumbers, ALightRightBeforeASurfaceLightsIt) {
         for (const Highlight highlight : {Highlight::phong, Highlight::blinn_phong}) {
           const Scene scene =
               lit_quad(fmt::format("light {{ type = point intensity = 0.8 position = (0,0,{}) }}", distance));
-          Settings settings;
-          settings.renderer = renderer;
+          Settings settings{.renderer = renderer};
           settings.simd = simd;
           settings.highlight = highlight;
           settings.shadows = renderer == Renderer::ray_tracer ? Shadows::traced : Shadows::none;
@@ -222,4 +217,4 @@ TEST(ExtremeNumbers, ASliverBesideAQuadLeavesNoTraceAndNoHole) {
 }
 
 }  // namespace
-}  // namespace working_space_test
+}  // namespace ps::working_space_test

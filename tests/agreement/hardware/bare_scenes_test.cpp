@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "agreement/hardware/hardware_pair.h"
+#include "base/enumerators.h"
 #include "hardware/lacks.h"
 #include "options/option.h"
 #include "options/renderer_kind.h"
@@ -27,9 +28,9 @@ struct BareCase {
 std::vector<BareCase> all_cases() {
   std::vector<BareCase> cases;
   for (const char* scene : {"cgfs/relief", "cgfs/shadows"})
-    for (const test::Bare what : test::all_bare)
+    for (const test::Bare what : all_enumerators<test::Bare>)
       for (const Vec2i size : {Vec2i{1, 1}, Vec2i{600, 1}, Vec2i{1, 600}})
-        cases.push_back({std::string(scene) + " " + std::string(test::bare_name(what)),
+        cases.push_back({std::string(scene) + " " + std::string(enumerator_key(what)),
                          test::bare_scene(load_scene(scene), what), size});
   return cases;
 }
@@ -55,8 +56,7 @@ TEST(HardwareBareScenes, AreDrawnUnderEveryOption) {
   const std::vector<BareCase> cases = all_cases();
   std::size_t pictures = 0;
   for (const Option& option : option_table()) {
-    Settings settings;
-    settings.renderer = hardware;
+    Settings settings{.renderer = hardware};
     for (const OptionNumber value : values_to_try(option, settings)) {
       const BareCase& one = cases[7 * pictures % cases.size()];  // 7 has no factor in common with their number
       settings = settings_for(one.scene);

@@ -6,6 +6,7 @@
 #include "options/option.h"
 #include "render/render.h"
 #include "scene/load.h"
+#include "support/settings_with.h"
 
 namespace ps {
 namespace {
@@ -36,9 +37,8 @@ TEST(HardwareCanvas, FilledShapesAreThoseOfTheRasterizer) {
   const Scene scene = filled_shapes();
   for (const char* sample : {"sample-position=centre", "sample-position=corner"})
     for (const char* samples : {"multisampling=1", "multisampling=4"}) {
-      Settings settings;
-      for (const char* assignment : {"vertex-snapping=cpu", "shadows=none", "reflection-depth=0", sample, samples})
-        parse_assignment(assignment, settings);
+      Settings settings =
+          settings_with({}, {"vertex-snapping=cpu", "shadows=none", "reflection-depth=0", sample, samples});
       settings.renderer = hardware;
       if (inactive_value_reason(*find_option("multisampling"), settings, scene_traits(scene))) continue;
       Settings bare = settings;

@@ -30,8 +30,7 @@ Scene lit_square(double distance, const std::string& light) {
 }
 
 float middle_of(const Scene& scene, Renderer renderer, const std::vector<const char*>& assignments) {
-  Settings settings;
-  settings.renderer = renderer;
+  Settings settings{.renderer = renderer};
   settings.shadows = Shadows::none;
   for (const char* one : assignments) parse_assignment(one, settings);
   return render(scene, {scene.camera, picture_side, picture_side}, settings)

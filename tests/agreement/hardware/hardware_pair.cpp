@@ -13,6 +13,7 @@
 #include "options/scene_settings.h"
 #include "render/render.h"
 #include "scene/load.h"
+#include "support/settings_with.h"
 
 namespace ps::test {
 
@@ -93,8 +94,7 @@ std::string PairCase::name() const {
 
 PairDifference compare_with_rasterizer(const PairCase& one, Renderer hardware, int width, int height) {
   LoadedScene& at_hand = loaded(one.scene);
-  Settings settings = settings_for(at_hand.scene);
-  for (const std::string& assignment : one.assignments) parse_assignment(assignment, settings);
+  Settings settings = settings_with(settings_for(at_hand.scene), one.assignments);
   return compare(at_hand.scene, settings, hardware, {at_hand.scene.camera, width, height}, at_hand.prepared);
 }
 

@@ -9,6 +9,7 @@
 #include "render/left_out.h"
 #include "render/render.h"
 #include "scene/load.h"
+#include "support/settings_with.h"
 
 namespace ps::hardware_left_out_test {
 namespace {
@@ -23,8 +24,7 @@ TEST(HardwareLeftOut, EveryRemedyShowsWhatIsLeftOut) {
   for (const char* name : {"cgfs/shadows", "cgfs/reflections"}) {
     const Scene scene = load_scene(name);
     const SceneTraits traits = scene_traits(scene);
-    Settings settings = settings_for(scene);
-    settings.renderer = hardware;
+    Settings settings = settings_for(scene, hardware);
     settings.shadows = Shadows::traced;
     const std::vector<LeftOut> all = left_out(traits, settings);
     EXPECT_FALSE(all.empty()) << name;

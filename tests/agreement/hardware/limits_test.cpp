@@ -13,13 +13,13 @@
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/refusal.h"
+#include "support/settings_with.h"
 
 namespace ps {
 namespace {
 
 std::string failure_of(const Scene& scene, int width, int height, Renderer hardware) {
-  Settings settings = settings_for(scene);
-  settings.renderer = hardware;
+  Settings settings = settings_for(scene, hardware);
   return test::refusal_of([&] { render(scene, {scene.camera, width, height}, settings); });
 }
 
@@ -101,8 +101,7 @@ TEST(HardwareLimits, ANumberOfSamplesThatTheDriverDoesNotOffer) {
   const std::vector<int>& offered = hardware::availability().driver->samples;
   const Scene scene = load_scene("cgfs/shading");
   for (const int samples : {2, 4, 8}) {
-    Settings settings = settings_for(scene);
-    settings.renderer = hardware;
+    Settings settings = settings_for(scene, hardware);
     settings.multisampling = samples;
     const bool has = std::find(offered.begin(), offered.end(), samples) != offered.end();
     EXPECT_EQ(inactive_value_reason(*find_option("multisampling"), settings, scene_traits(scene)).has_value(), !has);

@@ -8,13 +8,13 @@
 #include "options/scene_settings.h"
 #include "render/render.h"
 #include "scene/load.h"
+#include "support/settings_with.h"
 
 namespace ps {
 namespace {
 
 Image<Vec3f> drawn_by(Renderer renderer, const Scene& scene, const std::string& draw) {
-  Settings settings = settings_for(scene);
-  settings.renderer = renderer;
+  Settings settings = settings_for(scene, renderer);
   parse_assignment("draw=" + draw, settings);
   return render(scene, {scene.camera, 400, 300}, settings).colour;
 }

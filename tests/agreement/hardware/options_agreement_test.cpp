@@ -16,6 +16,7 @@
 #include "raster/maps.h"
 #include "render/render.h"
 #include "scene/load.h"
+#include "support/settings_with.h"
 
 namespace ps {
 namespace {
@@ -165,9 +166,8 @@ Scene seen_from_behind(const std::string& name, double back) {
 }
 
 PairDifference measured(const Scene& scene, const std::vector<std::string>& assignments, Renderer hardware) {
-  Settings settings = settings_for(scene);
-  for (const char* plain : {"shadows=none", "reflection-depth=0"}) parse_assignment(plain, settings);
-  for (const std::string& assignment : assignments) parse_assignment(assignment, settings);
+  Settings settings =
+      settings_with(settings_with(settings_for(scene), {"shadows=none", "reflection-depth=0"}), assignments);
   const PairDifference difference = test::compare_with_rasterizer(scene, settings, hardware, width, height);
   fmt::print("{} {}: {}\n", scene.name, fmt::join(assignments, " "), difference.text());
   return difference;
@@ -246,9 +246,8 @@ TEST(HardwareAgreement, TexelsOfEnvironmentMaps) {
   for (const char* name : {"cgfs/mirrors", "lab/mirror-room", "models/dice"})
     for (const char* size : {"environment-size=16", "environment-size=128"}) {
       const Scene scene = load_scene(name);
-      Settings settings = settings_for(scene);
-      for (const char* assignment : {"vertex-snapping=cpu", "shadows=none", "environment=cube-map", size})
-        parse_assignment(assignment, settings);
+      Settings settings =
+          settings_with(settings_for(scene), {"vertex-snapping=cpu", "shadows=none", "environment=cube-map", size});
       settings.subpixel_bits = hardware::availability().driver->subpixel_bits;
       Prepared prepared;
       Progress progress;
@@ -306,8 +305,7 @@ TEST(HardwareAgreement, PassesTogether) {
 TEST(HardwareAgreement, ShadowMapsDarken) {
   PS_NEEDS_HARDWARE(hardware);
   const Scene scene = load_scene("cgfs/shadows");
-  Settings settings = settings_for(scene);
-  settings.renderer = hardware;
+  Settings settings = settings_for(scene, hardware);
   settings.shadows = Shadows::map;
   const View view{scene.camera, 300, 300};
   const Image<Vec3f> dark = render(scene, view, settings).colour;

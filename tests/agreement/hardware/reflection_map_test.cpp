@@ -12,8 +12,10 @@
 #include "options/option.h"
 #include "render/left_out.h"
 #include "render/render.h"
+#include "render/story/story_tree.h"
 #include "scene/scene_file.h"
 #include "support/golden.h"
+#include "support/settings_with.h"
 
 namespace ps::hardware_reflection_map_test {
 namespace {
@@ -45,13 +47,6 @@ Scene scene_of_maps(bool mirror) {
   return parse_scene(mirror ? text + more : text, "maps.scene", folder.string());
 }
 
-Settings with(const std::vector<const char*>& assignments, Renderer renderer) {
-  Settings settings;
-  settings.renderer = renderer;
-  for (const char* one : assignments) parse_assignment(one, settings);
-  return settings;
-}
-
 TEST(HardwareReflectionMap, ShowsWhatTheRasterizerShows) {
   PS_NEEDS_HARDWARE(hardware);
   const std::vector<std::vector<const char*>> cases{
@@ -74,7 +69,7 @@ TEST(HardwareReflectionMap, ShowsWhatTheRasterizerShows) {
     for (std::size_t i = 0; i < cases.size(); i += mirror ? 8 : 1) {  // among them deferred shading
       const auto& assignments = cases[i];
       const Scene scene = scene_of_maps(mirror);
-      Settings settings = with(assignments, hardware);
+      Settings settings = settings_with({.renderer = hardware}, assignments);
       if (mirror) settings.environment = Environment::cube_map;
       const test::PairDifference difference = test::compare_with_rasterizer(scene, settings, hardware, width, height);
       EXPECT_LE(difference.ids + difference.colours, 60)
@@ -84,8 +79,8 @@ TEST(HardwareReflectionMap, ShowsWhatTheRasterizerShows) {
   // The map makes a difference at all.
   const Scene scene = scene_of_maps(false);
   const View view{scene.camera, width, height};
-  const Frame maps = render(scene, view, with({}, hardware)),
-              none = render(scene, view, with({"textures=off"}, hardware));
+  const Frame maps = render(scene, view, Settings{.renderer = hardware}),
+              none = render(scene, view, settings_with({.renderer = hardware}, {"textures=off"}));
   long differ = 0;
   for (std::size_t i = 0; i < maps.colour.pixels().size(); ++i)
     differ += length(maps.colour.pixels()[i] - none.colour.pixels()[i]) > 0.1f;
@@ -98,7 +93,7 @@ TEST(HardwareReflectionMap, TheStoryEndsWithThePicturesColour) {
   const View view{scene.camera, width, height};
   for (const auto& assignments :
        std::vector<std::vector<const char*>>{{}, {"light-passes=many"}, {"deferred-shading=on"}, {"shading=gouraud"}}) {
-    const Settings settings = with(assignments, hardware);
+    const Settings settings = settings_with({.renderer = hardware}, assignments);
     Prepared prepared;
     Progress progress;
     const Frame frame = render(scene, view, settings, {}, prepared, progress);
@@ -107,9 +102,7 @@ TEST(HardwareReflectionMap, TheStoryEndsWithThePicturesColour) {
       for (int x = 3; x < width; x += 11) {
         const PixelStory story = inspect(scene, view, settings, {x, y}, prepared, progress);
         EXPECT_EQ(Vec3f(story.linear), frame.colour.at(x, y)) << x << "," << y;
-        for (const Event& event : story.events) {
-          const auto* mixed = std::get_if<ReflectionEvent>(&event.data);
-          if (!mixed) continue;
+        for (const auto* mixed : events_of<ReflectionEvent>(story.events)) {
           ++reflected;
           const Vec3d sum = mixed->local * (1 - mixed->reflective) + mixed->reflected * mixed->reflective;
           EXPECT_LT(length(sum - mixed->result), 1e-5) << x << "," << y;
@@ -127,11 +120,11 @@ TEST(HardwareReflectionMap, TheStoryEndsWithThePicturesColour) {
 TEST(HardwareReflectionMap, NothingIsLeftOut) {
   PS_NEEDS_HARDWARE(hardware);
   for (const Renderer renderer : {hardware, Renderer::rasterizer}) {
-    const Settings settings = with({"shadows=none"}, renderer);
+    const Settings settings = settings_with({.renderer = renderer}, {"shadows=none"});
     EXPECT_EQ(left_out_words(scene_traits(scene_of_maps(false)), settings), "");
     const std::string words = left_out_words(scene_traits(scene_of_maps(true)), settings);
     EXPECT_NE(words.find("leaves out reflections"), std::string::npos) << words;
-    const Settings unread = with({"shadows=none", "textures=off"}, renderer);
+    const Settings unread = settings_with({.renderer = renderer}, {"shadows=none", "textures=off"});
     EXPECT_NE(left_out_words(scene_traits(scene_of_maps(false)), unread).find("reflections"), std::string::npos);
   }
 }

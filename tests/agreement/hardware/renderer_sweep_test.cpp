@@ -19,11 +19,10 @@
 #include "support/environment.h"
 #include "support/render_once.h"
 #include "support/run_cli.h"
+#include "support/settings_with.h"
 
-namespace renderer_sweep_test {
+namespace ps::renderer_sweep_test {
 namespace {
-
-using namespace ps;
 
 ChartRequest all_renderers(const std::string& scene) {
   const std::vector<SweepAxis> axes = parse_sweep(renderer_sweep);
@@ -76,8 +75,7 @@ TEST(RendererSweep, AnEmptiedDriverUploadsTheWholeSceneAndDrawsTheSame) {
   PS_NEEDS_HARDWARE(hardware);
   const Scene teapot = load_scene("cgpp/teapot"), other = load_scene("cgpp/ground");
   const auto draw = [&](const Scene& scene, DriverMemory memory) {
-    Settings settings = settings_for(scene);
-    settings.renderer = hardware;
+    Settings settings = settings_for(scene, hardware);
     RenderRequest request;
     request.driver_memory = memory;
     return render(scene, {scene.camera, 40, 25}, settings, request);
@@ -130,8 +128,7 @@ TEST(RendererSweep, OneCommandDrawsTheThreeScenesOfTheBookWithAllThree) {
     const Scene scene = load_scene(name);
     int column = 0;
     for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer, hardware}) {
-      Settings settings = settings_for(scene);
-      settings.renderer = renderer;
+      Settings settings = settings_for(scene, renderer);
       if (renderer != Renderer::ray_tracer) settings.shadows = Shadows::map;
       const View view{scene.camera, 40, 25};
       const Image<Rgb8> wanted = display_frame(render(scene, view, settings), settings);
@@ -146,4 +143,4 @@ TEST(RendererSweep, OneCommandDrawsTheThreeScenesOfTheBookWithAllThree) {
 }
 
 }  // namespace
-}  // namespace renderer_sweep_test
+}  // namespace ps::renderer_sweep_test

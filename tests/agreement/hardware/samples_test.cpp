@@ -14,9 +14,11 @@
 #include "hardware/gl_thread.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
+#include "render/story/story_tree.h"
 #include "scene/load.h"
 #include "support/environment.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 
 namespace ps::hardware_samples_test {
 namespace {
@@ -76,8 +78,7 @@ TEST(HardwareSamples, HoldThePicturesDepthAndStencil) {
   int depths_differ = 0, stencils_differ = 0, stencil_events = 0, compared = 0;
   for (const Sampled& one : cases) {
     const Scene scene = load_scene(one.scene);
-    Settings settings = settings_for(scene);
-    settings.renderer = hardware;
+    Settings settings = settings_for(scene, hardware);
     settings.multisampling = 4;
     for (const std::string& assignment : one.assignments) parse_assignment(assignment, settings);
     const View view{scene.camera, width, height};
@@ -131,10 +132,9 @@ TEST(HardwareSamples, HoldThePicturesDepthAndStencil) {
 /// The first depth that a triangle brings, and what it is compared with.
 std::map<int, std::pair<double, double>> first_depths(const PixelStory& story) {
   std::map<int, std::pair<double, double>> depths;  // by triangle
-  for (const Event& event : story.events)
-    if (const auto* fragment = std::get_if<FragmentEvent>(&event.data))
-      if (fragment->samples_covered == fragment->samples && fragment->depth_new && fragment->depth_stored)
-        depths[fragment->id.object * 1000 + fragment->id.triangle] = {*fragment->depth_new, *fragment->depth_stored};
+  for (const auto* fragment : events_of<FragmentEvent>(story.events))
+    if (fragment->samples_covered == fragment->samples && fragment->depth_new && fragment->depth_stored)
+      depths[fragment->id.object * 1000 + fragment->id.triangle] = {*fragment->depth_new, *fragment->depth_stored};
   return depths;
 }
 
@@ -143,8 +143,7 @@ TEST(HardwareSamples, ChannelsAreThoseOfTheFirstSample) {
   PS_NEEDS_HARDWARE(hardware);
   for (const char* name : {"cgfs/crates", "cgfs/shading"}) {
     const Scene scene = load_scene(name);
-    Settings settings = settings_for(scene);
-    for (const char* set : {"multisampling=4", "shadows=none", "vertex-snapping=cpu"}) parse_assignment(set, settings);
+    Settings settings = settings_with(settings_for(scene), {"multisampling=4", "shadows=none", "vertex-snapping=cpu"});
     settings.subpixel_bits = hardware::availability().driver->subpixel_bits;
     RenderRequest request;
     request.channels = Channel::ids | Channel::depth | Channel::normal | Channel::uv | Channel::barycentric;
@@ -179,8 +178,7 @@ TEST(HardwareSamples, ChannelsAreThoseOfTheFirstSample) {
 TEST(HardwareSamples, HaveTheRasterizersDepths) {
   PS_NEEDS_HARDWARE(hardware);
   const Scene scene = load_scene("cgfs/depth");
-  Settings a = settings_for(scene);
-  for (const char* set : {"multisampling=4", "depth-format=unorm", "depth-bits=24"}) parse_assignment(set, a);
+  Settings a = settings_with(settings_for(scene), {"multisampling=4", "depth-format=unorm", "depth-bits=24"});
   Settings b = a;
   a.renderer = Renderer::rasterizer;
   a.subpixel_bits = hardware::availability().driver->subpixel_bits;

@@ -18,17 +18,13 @@
 #include "support/environment.h"
 #include "support/render_once.h"
 #include "support/run_cli.h"
+#include "support/settings_with.h"
 
-namespace shader_listing_test {
+namespace ps::shader_listing_test {
 namespace {
 
-using namespace ps;
-
 Settings drawn_by(Renderer hardware, const Scene& scene, const std::vector<std::string>& assignments = {}) {
-  Settings settings = settings_for(scene);
-  settings.renderer = hardware;
-  for (const std::string& assignment : assignments) parse_assignment(assignment, settings);
-  return settings;
+  return settings_with(settings_for(scene, hardware), assignments);
 }
 
 std::shared_ptr<const ShaderListing> listing_at(const Scene& scene, const Settings& settings, Vec2i pixel) {
@@ -169,4 +165,4 @@ TEST(ShaderReload, KeepsTheLastGoodProgramAndNamesTheLine) {
 }
 
 }  // namespace
-}  // namespace shader_listing_test
+}  // namespace ps::shader_listing_test

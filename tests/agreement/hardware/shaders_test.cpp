@@ -22,6 +22,7 @@
 #include "scene/load.h"
 #include "support/environment.h"
 #include "support/run_cli.h"
+#include "support/settings_with.h"
 
 namespace ps {
 namespace {
@@ -45,8 +46,7 @@ std::set<std::string> all_definitions(Renderer hardware) {
   std::set<std::string> all;
   for (const char* name : {"cgfs/relief", "cgfs/fence", "cgpp/teapot"}) {
     const Scene scene = load_scene(name);
-    Settings settings = settings_for(scene);
-    settings.renderer = hardware;
+    Settings settings = settings_for(scene, hardware);
     add_definitions(scene, settings, all);
     for (const Option& option : option_table()) {
       if (option.key == "renderer" || hardware::lacks_option(option, settings)) continue;
@@ -82,8 +82,7 @@ TEST(HardwareShaders, ThoseOfPassesCompileForOpenGlAndForOpenGlEs) {
   std::set<std::string> volumes, deferred;
   for (const char* name : {"cgfs/relief", "cgfs/reflections", "cgpp/teapot"}) {
     const Scene scene = load_scene(name);
-    Settings settings = settings_for(scene);
-    settings.renderer = hardware;
+    Settings settings = settings_for(scene, hardware);
     parse_assignment("environment=cube-map", settings);
     for (const char* shadows : {"none", "map", "stencil-depth-fail"})
       for (const char* shading : {"phong", "gouraud"})

@@ -12,6 +12,7 @@
 #include "options/scene_settings.h"
 #include "scene/load.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 
 namespace ps {
 namespace {
@@ -36,10 +37,9 @@ bool at_edge(const Frame& frame, int x, int y) {
 
 VolumeDifference compare(const std::string& name, const std::vector<std::string>& assignments, Renderer hardware) {
   const Scene scene = load_scene(name);
-  Settings one = settings_for(scene);
-  for (const char* plain : {"vertex-snapping=cpu", "reflection-depth=0", "environment=none"})
-    parse_assignment(plain, one);
-  for (const std::string& assignment : assignments) parse_assignment(assignment, one);
+  Settings one = settings_with(
+      settings_with(settings_for(scene), {"vertex-snapping=cpu", "reflection-depth=0", "environment=none"}),
+      assignments);
   Settings other = one;
   one.renderer = hardware;
   other.renderer = Renderer::rasterizer;

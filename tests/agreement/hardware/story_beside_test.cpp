@@ -13,6 +13,7 @@
 #include "options/scene_settings.h"
 #include "render/provenance.h"
 #include "render/render.h"
+#include "render/story/story_tree.h"
 #include "scene/load.h"
 #include "support/environment.h"
 
@@ -83,12 +84,8 @@ TEST(HardwareStoryBeside, WhatADriverDoesNotReportIsAbsent) {
   for (int x = 20; x < side; x += 20) {
     const PixelStory story = beside.story(beside.b, {x, side / 2});
     EXPECT_FALSE(story.not_reported.empty());
-    for (const Event& event : story.events) {
-      if (const auto* reject = std::get_if<RejectEvent>(&event.data)) {
-        EXPECT_FALSE(reject->edges);
-      }
-      const auto* fragment = std::get_if<FragmentEvent>(&event.data);
-      if (!fragment) continue;
+    for (const auto* reject : events_of<RejectEvent>(story.events)) EXPECT_FALSE(reject->edges);
+    for (const auto* fragment : events_of<FragmentEvent>(story.events)) {
       ++fragments;
       EXPECT_FALSE(fragment->edges || fragment->tie_owned || fragment->clipped_into);
     }

@@ -14,9 +14,11 @@
 #include "hardware/gl_thread.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
+#include "render/story/story_tree.h"
 #include "scene/load.h"
 #include "support/environment.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 
 namespace ps::hardware_story_test {
 namespace {
@@ -102,9 +104,8 @@ bool nearly_equal(const Vec3d& a, const Vec3d& b) {
 /// Each write brings what the story's program says that it shades. A driver may round the interpolation of the two
 /// programs differently (llvmpipe of Mesa 25 does), by no more than a float near 1.
 void expect_writes_as_shaded(const PixelStory& story, const std::string& where) {
-  for (const Event& event : story.events) {
-    const auto* write = std::get_if<WriteEvent>(&event.data);
-    if (!write || write->id.object < 0) continue;
+  for (const auto* write : events_of<WriteEvent>(story.events)) {
+    if (write->id.object < 0) continue;
     const bool replaces = nearly_equal(write->after, write->shaded);
     const bool adds = nearly_equal(write->after, write->before + write->shaded);
     EXPECT_TRUE(replaces || adds) << where;
@@ -114,11 +115,10 @@ void expect_writes_as_shaded(const PixelStory& story, const std::string& where) 
 /// The faces of shadow volumes that it reports make what the stencil buffer holds.
 int expect_stencil_as_counted(const PixelStory& story, int stencil_bits, const std::string& where) {
   int counted = 0;
-  for (const Event& event : story.events)
-    if (const auto* stencil = std::get_if<StencilEvent>(&event.data)) {
-      EXPECT_EQ(stencil->count & ((1 << stencil_bits) - 1), stencil->stored) << where;
-      counted += stencil->crossings.empty() ? 0 : 1;
-    }
+  for (const auto* stencil : events_of<StencilEvent>(story.events)) {
+    EXPECT_EQ(stencil->count & ((1 << stencil_bits) - 1), stencil->stored) << where;
+    counted += stencil->crossings.empty() ? 0 : 1;
+  }
   return counted;
 }
 
@@ -130,9 +130,7 @@ TEST(HardwareStory, EndsWithThePicturesColourAndDepth) {
   for (const StoryCase& one : cases) {
     SCOPED_TRACE(one.name());
     const Scene scene = load_scene(one.scene);
-    Settings settings = settings_for(scene);
-    settings.renderer = hardware;
-    for (const std::string& assignment : one.assignments) parse_assignment(assignment, settings);
+    Settings settings = settings_with(settings_for(scene, hardware), one.assignments);
     const View view{scene.camera, width, height};
     Prepared prepared;
     Progress progress;
@@ -192,8 +190,7 @@ TEST(HardwareStory, EndsWithThePicturesColourAndDepth) {
 TEST(HardwareStory, WeighsTheLightOfVerticesAlsoDeferred) {
   PS_NEEDS_HARDWARE(hardware);
   const Scene scene = load_scene("cgfs/shading");
-  Settings settings = settings_for(scene);
-  settings.renderer = hardware;
+  Settings settings = settings_for(scene, hardware);
   settings.shading = Shading::gouraud;
   settings.deferred_shading = true;
   const View view{scene.camera, 60, 60};
@@ -204,17 +201,15 @@ TEST(HardwareStory, WeighsTheLightOfVerticesAlsoDeferred) {
     story = inspect(scene, view, settings, {30, y}, prepared, progress);
   ASSERT_TRUE(last_write(story).fragment);
   Vec3d light{0}, weights{0};
-  for (const Event& event : story.events)
-    if (const auto* vertex = std::get_if<VertexLightEvent>(&event.data)) {
-      ASSERT_TRUE(vertex->vertex);
-      weights[*vertex->vertex] = vertex->weight;
-      light += vertex->weight * vertex->light;
-    }
+  for (const auto* vertex : events_of<VertexLightEvent>(story.events)) {
+    ASSERT_TRUE(vertex->vertex);
+    weights[*vertex->vertex] = vertex->weight;
+    light += vertex->weight * vertex->light;
+  }
   for (int k = 0; k < 3; ++k) EXPECT_EQ(weights[k], last_write(story).fragment->weights[static_cast<std::size_t>(k)]);
   EXPECT_NEAR(weights.x + weights.y + weights.z, 1, 1e-6);
   double shaded = 0;
-  for (const Event& event : story.events)
-    if (const auto* shade = std::get_if<ShadeEvent>(&event.data)) shaded = shade->light.x;
+  for (const auto* shade : events_of<ShadeEvent>(story.events)) shaded = shade->light.x;
   EXPECT_GT(shaded, 0);
   EXPECT_NEAR(light.x, shaded, 1e-5);
 }
@@ -222,9 +217,8 @@ TEST(HardwareStory, WeighsTheLightOfVerticesAlsoDeferred) {
 /// The samples of the last write that were written, and how many there are.
 std::pair<int, int> samples_written(const PixelStory& story) {
   std::pair<int, int> samples{0, 0};
-  for (const Event& event : story.events)
-    if (const auto* coverage = std::get_if<CoverageEvent>(&event.data))
-      samples = {static_cast<int>(coverage->values.size()), coverage->tests};
+  for (const auto* coverage : events_of<CoverageEvent>(story.events))
+    samples = {static_cast<int>(coverage->values.size()), coverage->tests};
   return samples;
 }
 
@@ -232,8 +226,7 @@ std::pair<int, int> samples_written(const PixelStory& story) {
 TEST(HardwareStory, CountsTheSamplesThatThePictureMixes) {
   PS_NEEDS_HARDWARE(hardware);
   const Scene scene = load_scene("cgpp/triangle");
-  Settings settings = settings_for(scene);
-  settings.renderer = hardware;
+  Settings settings = settings_for(scene, hardware);
   settings.multisampling = 4;
   const View view{scene.camera, 40, 40};
   Prepared prepared;

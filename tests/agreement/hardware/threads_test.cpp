@@ -10,13 +10,13 @@
 #include "options/scene_settings.h"
 #include "scene/load.h"
 #include "support/render_once.h"
+#include "support/settings_with.h"
 
 namespace ps {
 namespace {
 
 Settings hardware_settings(const Scene& scene, Renderer hardware) {
-  Settings settings = settings_for(scene);
-  settings.renderer = hardware;
+  Settings settings = settings_for(scene, hardware);
   return settings;
 }
 
