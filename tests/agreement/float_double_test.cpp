@@ -13,10 +13,8 @@
 #include "scene/load.h"
 #include "support/emulated.h"
 
-namespace float_double_test {
+namespace ps::float_double_test {
 namespace {
-
-using namespace ps;
 
 constexpr int width = 240, height = 240;
 
@@ -214,4 +212,4 @@ TEST(FloatAndDouble, SameSurfacesAndShadowsOnEveryScene) {
 }
 
 }  // namespace
-}  // namespace float_double_test
+}  // namespace ps::float_double_test

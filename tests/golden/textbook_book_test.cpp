@@ -13,10 +13,8 @@
 #include "scene/rotation.h"
 #include "support/golden.h"
 
-namespace textbook_book_test {
+namespace ps::textbook_book_test {
 namespace {
-
-using namespace ps;
 
 Image<Rgb8> picture(const Scene& scene, const std::vector<std::string>& changes) {
   Settings settings = settings_for(scene);
@@ -131,4 +129,4 @@ TEST(TextbookBook, FilteredTextures) {
 }
 
 }  // namespace
-}  // namespace textbook_book_test
+}  // namespace ps::textbook_book_test

@@ -19,10 +19,8 @@
 #include "support/simd_targets.h"
 #include "support/trials.h"
 
-namespace hostile_rays_test {
+namespace ps::hostile_rays_test {
 namespace {
-
-using namespace ps;
 
 /// Some fixed seeds and then, while the time of a fuzz run lasts, others.
 class Seeds {
@@ -115,4 +113,4 @@ TEST(HostileRays, FindNoTreeDeeperThanTheirStack) {
 }
 
 }  // namespace
-}  // namespace hostile_rays_test
+}  // namespace ps::hostile_rays_test

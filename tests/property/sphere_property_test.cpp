@@ -6,10 +6,8 @@
 
 #include "raytrace/clear/sphere_robust.h"
 
-namespace sphere_property_test {
+namespace ps::sphere_property_test {
 namespace {
-
-using namespace ps;
 
 struct Outcome {
   double wrong = 0;        ///< share of rays whose hit or miss differs from the truth
@@ -94,4 +92,4 @@ TEST(SphereProperty, ARayFromTheSurfaceNeverMeetsItsStart) {
 }
 
 }  // namespace
-}  // namespace sphere_property_test
+}  // namespace ps::sphere_property_test

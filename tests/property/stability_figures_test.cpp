@@ -12,10 +12,8 @@
 #include "support/stability_verdict.h"
 #include "support/trials.h"
 
-namespace stability_figures_test {
+namespace ps::stability_figures_test {
 namespace {
-
-using namespace ps;
 using test::StabilityFigure;
 
 class StabilityFigures : public testing::TestWithParam<std::string> {};
@@ -57,4 +55,4 @@ INSTANTIATE_TEST_SUITE_P(All, StabilityFigures, testing::ValuesIn(all_keys()),
                          [](const auto& tested) { return camel_case(tested.param); });
 
 }  // namespace
-}  // namespace stability_figures_test
+}  // namespace ps::stability_figures_test

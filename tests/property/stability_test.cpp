@@ -14,10 +14,8 @@
 #include "support/stability_verdict.h"
 #include "support/trials.h"
 
-namespace stability_test {
+namespace ps::stability_test {
 namespace {
-
-using namespace ps;
 using test::FigureKind;
 using test::FigureMethod;
 using test::FigureRule;
@@ -185,4 +183,4 @@ TEST(Stability, ARobustSlabTestCostsFewNodes) {
 }
 
 }  // namespace
-}  // namespace stability_test
+}  // namespace ps::stability_test

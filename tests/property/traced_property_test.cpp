@@ -10,10 +10,8 @@
 #include "support/same_bits.h"
 #include "support/trials.h"
 
-namespace traced_property_test {
+namespace ps::traced_property_test {
 namespace {
-
-using namespace ps;
 using ps::test::random_scene;
 using ps::test::same_bits;
 
@@ -145,4 +143,4 @@ TEST(TracedProperty, CancellingStopsEarlyAndThrows) {
 }
 
 }  // namespace
-}  // namespace traced_property_test
+}  // namespace ps::traced_property_test

@@ -17,10 +17,8 @@
 #include "render/render.h"
 #include "scene/scene_file.h"
 
-namespace tree_property_test {
+namespace ps::tree_property_test {
 namespace {
-
-using namespace ps;
 
 TEST(Trees, TriangleAndBoxAreApartWhereNoSampleOfTheTriangleIsInTheBox) {
   std::mt19937 random(86);
@@ -133,4 +131,4 @@ TEST(Trees, PlanesStandOutsideOfEveryTree) {
 }
 
 }  // namespace
-}  // namespace tree_property_test
+}  // namespace ps::tree_property_test

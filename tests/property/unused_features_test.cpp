@@ -9,10 +9,8 @@
 #include "render/renderer_table.h"
 #include "scene/load.h"
 
-namespace unused_features_test {
+namespace ps::unused_features_test {
 namespace {
-
-using namespace ps;
 
 class UnusedFeatures : public testing::TestWithParam<Renderer> {};
 
@@ -81,4 +79,4 @@ INSTANTIATE_TEST_SUITE_P(BothRenderers, UnusedFeatures, testing::Values(Renderer
                          });
 
 }  // namespace
-}  // namespace unused_features_test
+}  // namespace ps::unused_features_test

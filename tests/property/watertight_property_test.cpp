@@ -9,10 +9,8 @@
 #include "raytrace/clear/triangle_watertight.h"
 #include "support/closed_sphere.h"
 
-namespace watertight_property_test {
+namespace ps::watertight_property_test {
 namespace {
-
-using namespace ps;
 using ps::test::ClosedSphere;
 
 struct AimedRay {
@@ -165,4 +163,4 @@ TEST(Bvh, CentroidsInOnePlaceAreNoTrouble) {
 }
 
 }  // namespace
-}  // namespace watertight_property_test
+}  // namespace ps::watertight_property_test

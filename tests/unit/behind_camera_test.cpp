@@ -6,8 +6,7 @@
 #include "scene/load.h"
 #include "support/render_once.h"
 
-namespace ps {
-namespace behind_camera_test {
+namespace ps::behind_camera_test {
 namespace {
 
 constexpr int size = 300;
@@ -71,5 +70,4 @@ TEST(BehindTheCamera, TheStorySaysSo) {
 }
 
 }  // namespace
-}  // namespace behind_camera_test
-}  // namespace ps
+}  // namespace ps::behind_camera_test

@@ -2,10 +2,8 @@
 
 #include "bench/measure.h"
 
-namespace bench_measure_test {
+namespace ps::bench_measure_test {
 namespace {
-
-using namespace ps;
 using namespace ps::bench;
 
 /// A clock that only moves when a call says so.
@@ -66,4 +64,4 @@ TEST(BenchMeasure, ShortCallsFillASampleAndTheBudgetLimitsRepeats) {
 }
 
 }  // namespace
-}  // namespace bench_measure_test
+}  // namespace ps::bench_measure_test

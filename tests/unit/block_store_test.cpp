@@ -9,8 +9,7 @@
 #include "image/image.h"
 #include "math/vec.h"
 
-namespace ps {
-namespace block_store_test {
+namespace ps::block_store_test {
 namespace {
 
 TEST(BlockStore, HandsOutTheSameBlockAgainForTheSameSize) {
@@ -68,5 +67,4 @@ TEST(Image, CopiesAreValues) {
 }
 
 }  // namespace
-}  // namespace block_store_test
-}  // namespace ps
+}  // namespace ps::block_store_test

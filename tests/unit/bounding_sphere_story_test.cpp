@@ -11,10 +11,8 @@
 #include "scene/load.h"
 #include "support/render_once.h"
 
-namespace bounding_sphere_story_test {
+namespace ps::bounding_sphere_story_test {
 namespace {
-
-using namespace ps;
 
 PixelStory story_with(const Scene& scene, const Settings& settings) {
   return inspect(scene, {scene.camera, 60, 60}, settings, {30, 35});
@@ -77,4 +75,4 @@ TEST(BoundingSphereStory, OtherNodesStayBoxes) {
 }
 
 }  // namespace
-}  // namespace bounding_sphere_story_test
+}  // namespace ps::bounding_sphere_story_test

@@ -9,10 +9,8 @@
 #include "support/refusal.h"
 #include "support/run_cli.h"
 
-namespace bug_question_test {
+namespace ps::bug_question_test {
 namespace {
-
-using namespace ps;
 
 const std::string sides = "set-both renderer=textbook\nset listing-bug=sunken-spheres\n";
 const std::string asks = "ask bug\ntext Which line?\nwhy The root is missing.\n";
@@ -111,4 +109,4 @@ TEST(BugQuestion, HandoutsHoldBackTheLine) {
 }
 
 }  // namespace
-}  // namespace bug_question_test
+}  // namespace ps::bug_question_test

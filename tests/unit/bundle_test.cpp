@@ -22,10 +22,8 @@
 #include "support/refusal.h"
 #include "support/run_cli.h"
 
-namespace bundle_test {
+namespace ps::bundle_test {
 namespace {
-
-using namespace ps;
 namespace fs = std::filesystem;
 using test::ScratchFolder;
 
@@ -225,4 +223,4 @@ TEST(Bundle, LinksInAnArchiveAreRefused) {
 }
 
 }  // namespace
-}  // namespace bundle_test
+}  // namespace ps::bundle_test

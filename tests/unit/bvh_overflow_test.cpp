@@ -6,10 +6,8 @@
 
 #include "accel/bvh.h"
 
-namespace bvh_overflow_test {
+namespace ps::bvh_overflow_test {
 namespace {
-
-using namespace ps;
 
 TEST(BvhOverflow, AHugeBoxLeavesNoHugeLeaf) {
   for (const float bad : {1e38f, std::numeric_limits<float>::infinity()}) {
@@ -29,4 +27,4 @@ TEST(BvhOverflow, AHugeBoxLeavesNoHugeLeaf) {
 }
 
 }  // namespace
-}  // namespace bvh_overflow_test
+}  // namespace ps::bvh_overflow_test

@@ -12,10 +12,8 @@
 #include "support/render_once.h"
 #include "support/trials.h"
 
-namespace cgpp_scenes_test {
+namespace ps::cgpp_scenes_test {
 namespace {
-
-using namespace ps;
 
 Frame traced(const Scene& scene, const Settings& settings, Channel channels = Channel::none) {
   Prepared prepared;
@@ -145,4 +143,4 @@ TEST(Cgpp, FourTriangleTestsSeeTheSameTeapot) {
 }
 
 }  // namespace
-}  // namespace cgpp_scenes_test
+}  // namespace ps::cgpp_scenes_test

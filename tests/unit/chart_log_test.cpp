@@ -17,10 +17,8 @@
 #include "support/refusal.h"
 #include "support/run_cli.h"
 
-namespace chart_log_test {
+namespace ps::chart_log_test {
 namespace {
-
-using namespace ps;
 
 /// Five points of two runs each, in a folder.
 ChartRequest logged_request(const std::filesystem::path& folder) {
@@ -271,4 +269,4 @@ TEST(ChartCommand, AMergeThatLacksSomethingEndsWithOne) {
 }
 
 }  // namespace
-}  // namespace chart_log_test
+}  // namespace ps::chart_log_test

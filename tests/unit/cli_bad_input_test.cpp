@@ -4,8 +4,7 @@
 
 #include "support/run_cli.h"
 
-namespace ps {
-namespace cli_bad_input_test {
+namespace ps::cli_bad_input_test {
 namespace {
 
 using test::run_cli;
@@ -164,5 +163,4 @@ TEST(CliBadInput, Commands) {
 }
 
 }  // namespace
-}  // namespace cli_bad_input_test
-}  // namespace ps
+}  // namespace ps::cli_bad_input_test

@@ -13,8 +13,7 @@
 #include "support/run_cli.h"
 #include "support/trials.h"
 
-namespace ps {
-namespace cli_signal_test {
+namespace ps::cli_signal_test {
 namespace {
 
 using test::Ended;
@@ -88,5 +87,4 @@ TEST(CliSignal, TerminationEndsTheBuildingOfAnOctree) {
 }
 
 }  // namespace
-}  // namespace cli_signal_test
-}  // namespace ps
+}  // namespace ps::cli_signal_test

@@ -12,8 +12,7 @@
 #include "support/run_cli.h"
 #include "support/trials.h"
 
-namespace ps {
-namespace cli_strange_files_test {
+namespace ps::cli_strange_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -120,5 +119,4 @@ TEST_F(StrangeFiles, WarningsAreShownAndThePictureIsMade) {
 }
 
 }  // namespace
-}  // namespace cli_strange_files_test
-}  // namespace ps
+}  // namespace ps::cli_strange_files_test

@@ -15,8 +15,7 @@
 #include "support/run_cli.h"
 #include "support/trials.h"
 
-namespace ps {
-namespace cli_test {
+namespace ps::cli_test {
 namespace {
 
 using nlohmann::json;
@@ -223,5 +222,4 @@ TEST(Cli, ScenesAreListed) {
 }
 
 }  // namespace
-}  // namespace cli_test
-}  // namespace ps
+}  // namespace ps::cli_test

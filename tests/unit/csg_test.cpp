@@ -13,10 +13,8 @@
 #include "scene/scene_file.h"
 #include "support/refusal.h"
 
-namespace csg_test {
+namespace ps::csg_test {
 namespace {
-
-using namespace ps;
 
 bool inside(const CsgNode& node, const Vec3d& p) {
   if (node.children.empty()) {
@@ -161,4 +159,4 @@ TEST(Csg, BadTreesAreTurnedDown) {
 }
 
 }  // namespace
-}  // namespace csg_test
+}  // namespace ps::csg_test

@@ -13,8 +13,7 @@
 #include "scene/scene_writer.h"
 #include "support/render_once.h"
 
-namespace ps {
-namespace csg_transform_test {
+namespace ps::csg_transform_test {
 namespace {
 
 constexpr int placed_side = 48;
@@ -199,5 +198,4 @@ TEST(CsgTransform, ErrorsNameTheBlockAtFault) {
 }
 
 }  // namespace
-}  // namespace csg_transform_test
-}  // namespace ps
+}  // namespace ps::csg_transform_test

@@ -9,10 +9,8 @@
 #include "image/flip.h"
 #include "image/heat_colour.h"
 
-namespace difference_test {
+namespace ps::difference_test {
 namespace {
-
-using namespace ps;
 
 constexpr Rgb8 of_a{0, 114, 178}, of_b{213, 94, 0};  // Okabe and Ito's blue and vermilion
 
@@ -107,4 +105,4 @@ TEST(DifferenceMap, PicturesAreMadeOfTheColours) {
 }
 
 }  // namespace
-}  // namespace difference_test
+}  // namespace ps::difference_test

@@ -11,8 +11,7 @@
 #include "support/refusal.h"
 #include "support/stories.h"
 
-namespace ps {
-namespace document_test {
+namespace ps::document_test {
 namespace {
 
 TEST(Document, OpensAsTheSceneAsks) {
@@ -228,5 +227,4 @@ TEST(NumberList, ReadsSizesPixelsAndCameras) {
 }
 
 }  // namespace
-}  // namespace document_test
-}  // namespace ps
+}  // namespace ps::document_test

@@ -18,10 +18,8 @@
 #include "scene/load.h"
 #include "support/trials.h"
 
-namespace embree_threads_test {
+namespace ps::embree_threads_test {
 namespace {
-
-using namespace ps;
 using Tree = std::shared_ptr<const EmbreeTriangles>;
 
 /// A scene of triangles, and the rays through a small picture of it.
@@ -95,4 +93,4 @@ TEST(EmbreeThreads, AStoppedBuildLeavesItsTurn) {
 }
 
 }  // namespace
-}  // namespace embree_threads_test
+}  // namespace ps::embree_threads_test

@@ -6,10 +6,8 @@
 #include "options/scene_settings.h"
 #include "scene/load.h"
 
-namespace estimate_test {
+namespace ps::estimate_test {
 namespace {
-
-using namespace ps;
 
 ChartRequest request_of(const std::vector<std::string>& sweeps) {
   ChartRequest request;
@@ -74,4 +72,4 @@ TEST(Estimate, IsRoundedInWords) {
 }
 
 }  // namespace
-}  // namespace estimate_test
+}  // namespace ps::estimate_test

@@ -21,8 +21,7 @@
 #include "record/fields/surface_fields.h"
 #include "support/stories.h"
 
-namespace ps {
-namespace event_fields_test {
+namespace ps::event_fields_test {
 namespace {
 
 /// One or more events of each type which together have all of its fields.
@@ -232,5 +231,4 @@ TEST(EventFields, PartnersAreAboutTheSame) {
 }
 
 }  // namespace
-}  // namespace event_fields_test
-}  // namespace ps
+}  // namespace ps::event_fields_test

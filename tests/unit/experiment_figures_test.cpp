@@ -10,10 +10,8 @@
 
 #include "support/stability_table.h"
 
-namespace experiment_figures_test {
+namespace ps::experiment_figures_test {
 namespace {
-
-using namespace ps;
 
 const double none = std::nan("");
 
@@ -126,4 +124,4 @@ TEST(ExperimentFigures, TheTableGetsItsMeaningBehindItsColumns) {
 }
 
 }  // namespace
-}  // namespace experiment_figures_test
+}  // namespace ps::experiment_figures_test

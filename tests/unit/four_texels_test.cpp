@@ -9,10 +9,8 @@
 #include "scene/scene_file.h"
 #include "support/render_once.h"
 
-namespace four_texels_test {
+namespace ps::four_texels_test {
 namespace {
-
-using namespace ps;
 
 constexpr int side = 64, texels = 16;
 constexpr double step = 1.0 / 32;  // of the colour, from one row to the next; exact in float
@@ -89,4 +87,4 @@ TEST(FourTexels, WithoutTheFilterTheNearestOneCounts) {
 }
 
 }  // namespace
-}  // namespace four_texels_test
+}  // namespace ps::four_texels_test

@@ -8,10 +8,8 @@
 
 #include "shade/fresnel.h"
 
-namespace fresnel_test {
+namespace ps::fresnel_test {
 namespace {
-
-using namespace ps;
 using std::numbers::pi;
 
 /// Mean of the reflected shares across and along the plane of incidence, by the sines and tangents of the angles: not
@@ -70,4 +68,4 @@ TEST(Fresnel, APlateDoesNotTurnTheRay) {
 }
 
 }  // namespace
-}  // namespace fresnel_test
+}  // namespace ps::fresnel_test

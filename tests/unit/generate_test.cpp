@@ -9,10 +9,8 @@
 #include "scene/generate/torus_knot.h"
 #include "scene/generate/uv_sphere.h"
 
-namespace generate_test {
+namespace ps::generate_test {
 namespace {
-
-using namespace ps;
 
 double length(const Vec3d& v) { return std::sqrt(dot(v, v)); }
 
@@ -227,4 +225,4 @@ TEST(Teapot, NormalsAreUnitAndPointOutwards) {
 }
 
 }  // namespace
-}  // namespace generate_test
+}  // namespace ps::generate_test

@@ -9,8 +9,7 @@
 #include "engine/lesson.h"
 #include "support/refusal.h"
 
-namespace ps {
-namespace glossary_test {
+namespace ps::glossary_test {
 namespace {
 
 std::string error_of(const std::string& text) {
@@ -79,5 +78,4 @@ TEST(Glossary, NamesEachFaultWithItsPlace) {
 }
 
 }  // namespace
-}  // namespace glossary_test
-}  // namespace ps
+}  // namespace ps::glossary_test

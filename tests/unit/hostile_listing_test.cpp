@@ -11,10 +11,8 @@
 #include "student/check_listing.h"
 #include "support/own_listings.h"
 
-namespace hostile_listing_test {
+namespace ps::hostile_listing_test {
 namespace {
-
-using namespace ps;
 using test::OwnListings;
 using test::ScratchFolder;
 
@@ -132,4 +130,4 @@ TEST(ForeignText, WhatATerminalWouldObeyBecomesAQuestionMark) {
 }
 
 }  // namespace
-}  // namespace hostile_listing_test
+}  // namespace ps::hostile_listing_test

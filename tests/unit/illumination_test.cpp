@@ -3,10 +3,8 @@
 
 #include <gtest/gtest.h>
 
-namespace illumination_test {
+namespace ps::illumination_test {
 namespace {
-
-using namespace ps;
 
 const auto nothing_blocks = [](int, const Vec3d&, double) -> std::optional<PixelId> { return {}; };
 
@@ -104,4 +102,4 @@ TEST(Illumination, ColoursOfTheirOwnGoIntoExtra) {
 }
 
 }  // namespace
-}  // namespace illumination_test
+}  // namespace ps::illumination_test

@@ -14,10 +14,8 @@
 #include "support/refusal.h"
 #include "support/run_cli.h"
 
-namespace launch_test {
+namespace ps::launch_test {
 namespace {
-
-using namespace ps;
 using test::ScratchFolder;
 
 LaunchLimits short_limits() {
@@ -222,4 +220,4 @@ TEST(Launch, AFileThatIsNoProgramIsAMessage) {
 }
 
 }  // namespace
-}  // namespace launch_test
+}  // namespace ps::launch_test

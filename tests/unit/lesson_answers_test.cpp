@@ -14,10 +14,8 @@
 #include "support/environment.h"
 #include "support/run_cli.h"
 
-namespace lesson_answers_test {
+namespace ps::lesson_answers_test {
 namespace {
-
-using namespace ps;
 
 GivenAnswer answer(const std::string& words) {
   return {"2026-11-25T07:12:00Z", "cgfs_03_light", 2, "Which \"colour\"?", words, 0.5};
@@ -135,4 +133,4 @@ TEST(LessonAnswers, TheCommandExportsThem) {
 }
 
 }  // namespace
-}  // namespace lesson_answers_test
+}  // namespace ps::lesson_answers_test

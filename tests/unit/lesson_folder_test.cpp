@@ -17,10 +17,8 @@
 #include "support/run_cli.h"
 #include "support/well_formed.h"
 
-namespace lesson_folder_test {
+namespace ps::lesson_folder_test {
 namespace {
-
-using namespace ps;
 using test::run_cli;
 using test::run_cli_well;
 using test::ScratchFolder;
@@ -269,4 +267,4 @@ TEST(LessonHandout, WhatCannotBeMadeIsRefused) {
 }
 
 }  // namespace
-}  // namespace lesson_folder_test
+}  // namespace ps::lesson_folder_test

@@ -14,10 +14,8 @@
 #include "study/stability/experiment.h"
 #include "support/render_once.h"
 
-namespace lesson_metric_test {
+namespace ps::lesson_metric_test {
 namespace {
-
-using namespace ps;
 
 /// A with shadows, B without.
 Document shadows() {
@@ -263,4 +261,4 @@ TEST(LessonMutation, WhatChangesNothingHasNoTeeth) {
 }
 
 }  // namespace
-}  // namespace lesson_metric_test
+}  // namespace ps::lesson_metric_test

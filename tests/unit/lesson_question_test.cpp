@@ -6,10 +6,8 @@
 #include "engine/lesson.h"
 #include "support/refusal.h"
 
-namespace lesson_question_test {
+namespace ps::lesson_question_test {
 namespace {
-
-using namespace ps;
 
 /// A lesson whose first step asks this.
 std::string lesson_with(const std::string& question) {
@@ -155,4 +153,4 @@ TEST(LessonQuestion, TheCheckFindsBadQuestions) {
 }
 
 }  // namespace
-}  // namespace lesson_question_test
+}  // namespace ps::lesson_question_test

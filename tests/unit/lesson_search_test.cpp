@@ -3,10 +3,8 @@
 
 #include "engine/lesson_search.h"
 
-namespace lesson_search_test {
+namespace ps::lesson_search_test {
 namespace {
-
-using namespace ps;
 
 TextBlock paragraph(const std::string& text) { return {BlockKind::paragraph, 0, {{text}}}; }
 
@@ -129,4 +127,4 @@ TEST(LessonSearch, WhatComesAfterAnAnswerIsNotFound) {
 }
 
 }  // namespace
-}  // namespace lesson_search_test
+}  // namespace ps::lesson_search_test

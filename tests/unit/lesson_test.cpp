@@ -8,8 +8,7 @@
 #include "support/lesson_demands.h"
 #include "support/refusal.h"
 
-namespace ps {
-namespace lesson_test {
+namespace ps::lesson_test {
 namespace {
 
 constexpr const char* good = R"(# Light and shade
@@ -339,5 +338,4 @@ TEST(Lessons, UnknownNamesNameTheNearest) {
 }
 
 }  // namespace
-}  // namespace lesson_test
-}  // namespace ps
+}  // namespace ps::lesson_test

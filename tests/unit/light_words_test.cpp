@@ -11,8 +11,7 @@
 #include "support/render_once.h"
 #include "support/stories.h"
 
-namespace ps {
-namespace light_words_test {
+namespace ps::light_words_test {
 namespace {
 
 LightEvent lamp(double diffuse, double specular) {
@@ -94,5 +93,4 @@ TEST(LightWords, StoryAndSumAgreeOnWhatAddsNothing) {
 }
 
 }  // namespace
-}  // namespace light_words_test
-}  // namespace ps
+}  // namespace ps::light_words_test

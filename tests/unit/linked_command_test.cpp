@@ -15,8 +15,7 @@
 #include "scene/load.h"
 #include "support/run_cli.h"
 
-namespace ps {
-namespace linked_command_test {
+namespace ps::linked_command_test {
 namespace {
 
 using test::run_cli;
@@ -156,5 +155,4 @@ TEST(LinkedCommand, BadLinksAreRefused) {
 }
 
 }  // namespace
-}  // namespace linked_command_test
-}  // namespace ps
+}  // namespace ps::linked_command_test

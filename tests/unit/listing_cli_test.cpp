@@ -6,10 +6,8 @@
 #include "base/read_file.h"
 #include "support/own_listings.h"
 
-namespace listing_cli_test {
+namespace ps::listing_cli_test {
 namespace {
-
-using namespace ps;
 using test::run_cli;
 using test::run_cli_well;
 
@@ -59,4 +57,4 @@ TEST(ListingCli, InspectPrintsLinesWithValues) {
 }
 
 }  // namespace
-}  // namespace listing_cli_test
+}  // namespace ps::listing_cli_test

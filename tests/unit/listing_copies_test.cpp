@@ -9,10 +9,8 @@
 #include "support/own_listings.h"
 #include "support/trials.h"
 
-namespace listing_copies_test {
+namespace ps::listing_copies_test {
 namespace {
-
-using namespace ps;
 using test::OwnListings;
 
 /// The first step of the lesson in which its listing makes a picture, or the first of all.
@@ -155,4 +153,4 @@ TEST(ListingCopy, AChangedLineIsFoundAtItsFirstPixel) {
 }
 
 }  // namespace
-}  // namespace listing_copies_test
+}  // namespace ps::listing_copies_test

@@ -5,8 +5,7 @@
 
 #include "support/refusal.h"
 
-namespace ps {
-namespace markdown_test {
+namespace ps::markdown_test {
 namespace {
 
 StepText read(const std::string& text) { return read_markdown(text, "lesson.md", 10); }
@@ -150,5 +149,4 @@ TEST(Markdown, TermsInEmphasisLeadToTheGlossary) {
 }
 
 }  // namespace
-}  // namespace markdown_test
-}  // namespace ps
+}  // namespace ps::markdown_test

@@ -15,8 +15,7 @@
 #include "support/refusal.h"
 #include "support/well_formed.h"
 
-namespace ps {
-namespace maths_test {
+namespace ps::maths_test {
 namespace {
 
 Formula read(std::string_view notation, FormulaForm form = FormulaForm::in_text) {
@@ -182,5 +181,4 @@ TEST(Maths, SpacesFollowFromRoles) {
 }
 
 }  // namespace
-}  // namespace maths_test
-}  // namespace ps
+}  // namespace ps::maths_test

@@ -6,10 +6,8 @@
 #include "options/option.h"
 #include "scene/load.h"
 
-namespace measured_pictures_test {
+namespace ps::measured_pictures_test {
 namespace {
-
-using namespace ps;
 
 Document small_document() {
   Document document = open_document("cgfs/shadows", load_scene("cgfs/shadows"));
@@ -67,4 +65,4 @@ TEST(MeasuredPictures, AreNewWithEachChange) {
 }
 
 }  // namespace
-}  // namespace measured_pictures_test
+}  // namespace ps::measured_pictures_test

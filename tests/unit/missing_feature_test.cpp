@@ -22,10 +22,8 @@
 #include "support/run_cli.h"
 #include "support/shown_levels.h"
 
-namespace missing_feature_test {
+namespace ps::missing_feature_test {
 namespace {
-
-using namespace ps;
 
 constexpr int side = 64;
 
@@ -349,4 +347,4 @@ TEST(MissingTerm, CountsWhatIsSeenOfAClampedSum) {
 }
 
 }  // namespace
-}  // namespace missing_feature_test
+}  // namespace ps::missing_feature_test

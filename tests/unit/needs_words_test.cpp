@@ -5,10 +5,8 @@
 
 #include "scene/load.h"
 
-namespace needs_words_test {
+namespace ps::needs_words_test {
 namespace {
-
-using namespace ps;
 
 /// Shares as a search would find them: errors of the features that are used, in their order; below 0: the scene lacks
 /// it, above 1: it is off.
@@ -81,4 +79,4 @@ TEST(NeedsWords, WhatASceneNeverUsesDoesNotDependOnSettings) {
 }
 
 }  // namespace
-}  // namespace needs_words_test
+}  // namespace ps::needs_words_test

@@ -11,8 +11,7 @@
 #include "support/run_cli.h"
 #include "support/trials.h"
 
-namespace ps {
-namespace number_option_test {
+namespace ps::number_option_test {
 namespace {
 
 using test::run_cli;
@@ -95,5 +94,4 @@ TEST(FailureText, SaysWhatRanOut) {
 }
 
 }  // namespace
-}  // namespace number_option_test
-}  // namespace ps
+}  // namespace ps::number_option_test

@@ -8,8 +8,7 @@
 #include "scene/scene_writer.h"
 #include "support/run_cli.h"
 
-namespace ps {
-namespace obj_relief_test {
+namespace ps::obj_relief_test {
 namespace {
 
 constexpr const char* quad = R"(mtllib quad.mtl
@@ -88,5 +87,4 @@ TEST(SceneHeights, ReadAndWritten) {
 }
 
 }  // namespace
-}  // namespace obj_relief_test
-}  // namespace ps
+}  // namespace ps::obj_relief_test

@@ -7,8 +7,7 @@
 
 #include "obj_corpus.h"
 
-namespace ps {
-namespace obj_view_test {
+namespace ps::obj_view_test {
 namespace {
 
 /// A square of 2 in the plane of u and v, thickened by bumps of `height` along their normal.
@@ -121,5 +120,4 @@ TEST(ObjView, AWordWhereNothingIsInView) {
 }
 
 }  // namespace
-}  // namespace obj_view_test
-}  // namespace ps
+}  // namespace ps::obj_view_test

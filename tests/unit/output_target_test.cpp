@@ -17,8 +17,7 @@
 #include "support/refusal.h"
 #include "support/run_cli.h"
 
-namespace ps {
-namespace output_target_test {
+namespace ps::output_target_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -262,5 +261,4 @@ TEST(OutputTarget, AnOutputNeverReplacesWhatTheSceneWasReadFrom) {
 }
 
 }  // namespace
-}  // namespace output_target_test
-}  // namespace ps
+}  // namespace ps::output_target_test

@@ -15,10 +15,8 @@
 #include "support/refusal.h"
 #include "support/run_cli.h"
 
-namespace own_listing_test {
+namespace ps::own_listing_test {
 namespace {
-
-using namespace ps;
 using test::listing_in;
 using test::OwnListings;
 using test::with_change;
@@ -272,4 +270,4 @@ TEST_F(OwnListingRuns, PictureAndValuesComeBackFromBubblewrapToo) {
 }
 
 }  // namespace
-}  // namespace own_listing_test
+}  // namespace ps::own_listing_test

@@ -10,10 +10,8 @@
 #include "base/check.h"
 #include "support/refusal.h"
 
-namespace own_result_test {
+namespace ps::own_result_test {
 namespace {
-
-using namespace ps;
 
 const ListingTask both{.picture = true, .traced = Vec2i{1, 0}};
 
@@ -83,4 +81,4 @@ TEST(OwnResult, NumbersOutsideTheirRangeAreRefused) {
 }
 
 }  // namespace
-}  // namespace own_result_test
+}  // namespace ps::own_result_test

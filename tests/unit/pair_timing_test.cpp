@@ -6,10 +6,8 @@
 #include "base/check.h"
 #include "scene/load.h"
 
-namespace pair_timing_test {
+namespace ps::pair_timing_test {
 namespace {
-
-using namespace ps;
 
 /// Two pictures whose calls take the times they are given, the last one from then on.
 struct Fake {
@@ -140,4 +138,4 @@ TEST(PairTiming, TimesPicturesOfAScene) {
 }
 
 }  // namespace
-}  // namespace pair_timing_test
+}  // namespace ps::pair_timing_test

@@ -18,10 +18,8 @@
 #include "support/emulated.h"
 #include "support/trials.h"
 
-namespace parallel_test {
+namespace ps::parallel_test {
 namespace {
-
-using namespace ps;
 
 TEST(Parallel, RunsEveryIndexOnceOnAnyNumberOfThreads) {
   for (const int threads : {1, 2, 7}) {
@@ -172,4 +170,4 @@ TEST(Tiles, CoverEachPixelOnce) {
 }
 
 }  // namespace
-}  // namespace parallel_test
+}  // namespace ps::parallel_test

@@ -7,8 +7,7 @@
 #include "scene/load.h"
 #include "support/render_once.h"
 
-namespace ps {
-namespace parting_csg_test {
+namespace ps::parting_csg_test {
 namespace {
 
 TEST(PartingCsg, TheRasterizerDoesNotDrawIt) {
@@ -26,5 +25,4 @@ TEST(PartingCsg, TheRasterizerDoesNotDrawIt) {
 }
 
 }  // namespace
-}  // namespace parting_csg_test
-}  // namespace ps
+}  // namespace ps::parting_csg_test

@@ -9,8 +9,7 @@
 #include "image/file.h"
 #include "support/run_cli.h"
 
-namespace ps {
-namespace permalink_place_test {
+namespace ps::permalink_place_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -83,5 +82,4 @@ TEST(PermalinkPlace, APictureOpensFromAnotherFolder) {
 }
 
 }  // namespace
-}  // namespace permalink_place_test
-}  // namespace ps
+}  // namespace ps::permalink_place_test

@@ -10,8 +10,7 @@
 #include "support/run_cli.h"
 #include "support/stories.h"
 
-namespace ps {
-namespace permalink_test {
+namespace ps::permalink_test {
 namespace {
 
 TEST(Permalink, DefaultsLeaveNothing) { EXPECT_EQ(permalink(Document{}), ""); }
@@ -214,5 +213,4 @@ TEST(CommandLine, CountsFromTheScenesOwnSettings) {
 }
 
 }  // namespace
-}  // namespace permalink_test
-}  // namespace ps
+}  // namespace ps::permalink_test

@@ -14,8 +14,7 @@
 #include "scene/load.h"
 #include "support/run_cli.h"
 
-namespace ps {
-namespace picture_forms_test {
+namespace ps::picture_forms_test {
 namespace {
 
 using test::run_cli;
@@ -137,5 +136,4 @@ TEST(TestPattern, IsThatOfTheBook) {
 }
 
 }  // namespace
-}  // namespace picture_forms_test
-}  // namespace ps
+}  // namespace ps::picture_forms_test

@@ -8,8 +8,7 @@
 #include "support/refusal.h"
 #include "support/run_cli.h"
 
-namespace ps {
-namespace picture_limit_test {
+namespace ps::picture_limit_test {
 namespace {
 
 std::string big_endian_word(std::uint32_t value) {
@@ -92,5 +91,4 @@ TEST(ScenePictures, FaultsNameFileLineAndColumn) {
 }
 
 }  // namespace
-}  // namespace picture_limit_test
-}  // namespace ps
+}  // namespace ps::picture_limit_test

@@ -9,8 +9,7 @@
 
 #include "image/region_statistics.h"
 
-namespace ps {
-namespace pixel_ranking_test {
+namespace ps::pixel_ranking_test {
 namespace {
 
 TEST(PixelRanking, LargestFirstAndApart) {
@@ -101,5 +100,4 @@ TEST(RegionStatistics, AgreesWithTheDefinition) {
 }
 
 }  // namespace
-}  // namespace pixel_ranking_test
-}  // namespace ps
+}  // namespace ps::pixel_ranking_test

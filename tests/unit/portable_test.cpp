@@ -11,10 +11,8 @@
 #include <limits>
 #include <random>
 
-namespace portable_test {
+namespace ps::portable_test {
 namespace {
-
-using namespace ps;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr unsigned seed = 1;
@@ -140,4 +138,4 @@ TEST(Portable, SameBitsOnEveryProcessor) {
 }
 
 }  // namespace
-}  // namespace portable_test
+}  // namespace ps::portable_test

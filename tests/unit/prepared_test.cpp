@@ -9,10 +9,8 @@
 #include "scene/load.h"
 #include "scene/part.h"
 
-namespace prepared_test {
+namespace ps::prepared_test {
 namespace {
-
-using namespace ps;
 
 Key key_of(std::uint64_t revision, Precision precision) { return Key("product").add(revision).add(precision); }
 
@@ -86,4 +84,4 @@ TEST(Part, SharesUntilEdited) {
 }
 
 }  // namespace
-}  // namespace prepared_test
+}  // namespace ps::prepared_test

@@ -12,10 +12,8 @@
 
 #include "support/run_cli.h"
 
-namespace progress_line_test {
+namespace ps::progress_line_test {
 namespace {
-
-using namespace ps;
 
 /// What was written to the terminal whose other side is `master`, so far.
 std::string written(int master) {
@@ -91,4 +89,4 @@ TEST(ProgressLine, RenderShowsItOnATerminal) {
 }
 
 }  // namespace
-}  // namespace progress_line_test
+}  // namespace ps::progress_line_test

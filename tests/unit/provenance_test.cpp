@@ -13,8 +13,7 @@
 #include "render/provenance.h"
 #include "support/run_cli.h"
 
-namespace ps {
-namespace provenance_test {
+namespace ps::provenance_test {
 namespace {
 
 using nlohmann::json;
@@ -173,5 +172,4 @@ TEST(Provenance, TableWithQuotationMarks) {
 }
 
 }  // namespace
-}  // namespace provenance_test
-}  // namespace ps
+}  // namespace ps::provenance_test

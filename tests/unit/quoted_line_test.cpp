@@ -8,10 +8,8 @@
 #include "base/input_errors.h"
 #include "support/run_cli.h"
 
-namespace quoted_line_test {
+namespace ps::quoted_line_test {
 namespace {
-
-using namespace ps;
 
 TEST(QuotedLine, HasACaretUnderTheColumn) {
   const test::ScratchFolder folder;
@@ -63,4 +61,4 @@ TEST(QuotedLine, OfSeveralErrorsEach) {
 }
 
 }  // namespace
-}  // namespace quoted_line_test
+}  // namespace ps::quoted_line_test

@@ -7,10 +7,8 @@
 #include "shade/illumination.h"
 #include "support/trials.h"
 
-namespace radiometric_test {
+namespace ps::radiometric_test {
 namespace {
-
-using namespace ps;
 using std::numbers::pi;
 const auto nothing_blocks = [](int, const Vec3d&, double) -> std::optional<PixelId> { return {}; };
 
@@ -124,4 +122,4 @@ TEST(Attenuation, DividesByItsPolynomial) {
 }
 
 }  // namespace
-}  // namespace radiometric_test
+}  // namespace ps::radiometric_test

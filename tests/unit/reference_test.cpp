@@ -14,10 +14,8 @@
 #include "scene/scene_file.h"
 #include "study/standing.h"
 
-namespace reference_test {
+namespace ps::reference_test {
 namespace {
-
-using namespace ps;
 
 /// The scene's settings with the rays that err least: what a sweep of any exact option asks for.
 Settings best_of(const Settings& base) {
@@ -274,4 +272,4 @@ TEST(ReferencePlan, StaysWithinTheMemoryOfAMachine) {
 }
 
 }  // namespace
-}  // namespace reference_test
+}  // namespace ps::reference_test

@@ -4,10 +4,8 @@
 #include "render/render.h"
 #include "scene/load.h"
 
-namespace reflection_cutoff_test {
+namespace ps::reflection_cutoff_test {
 namespace {
-
-using namespace ps;
 
 /// The book's spheres, each of which mirrors half of the light.
 Scene half_mirrors() {
@@ -85,4 +83,4 @@ TEST(ReflectionCutoff, LeavesGlassItsStrongerBranch) {
 }
 
 }  // namespace
-}  // namespace reflection_cutoff_test
+}  // namespace ps::reflection_cutoff_test

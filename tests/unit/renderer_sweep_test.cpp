@@ -10,10 +10,8 @@
 #include "study/chart_style.h"
 #include "study/picture_sheet.h"
 
-namespace renderer_sweep_unit_test {
+namespace ps::renderer_sweep_unit_test {
 namespace {
-
-using namespace ps;
 
 /// Two points, the second with uploads of 10, 30 and 20 ms beside draws of 2, 1 and 3.
 Chart chart_with_upload(ChartAcross across) {
@@ -110,4 +108,4 @@ TEST(PictureSheet, PutsEachPictureIntoItsPlace) {
 }
 
 }  // namespace
-}  // namespace renderer_sweep_unit_test
+}  // namespace ps::renderer_sweep_unit_test

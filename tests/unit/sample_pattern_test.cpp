@@ -7,10 +7,8 @@
 
 #include "raytrace/sampling/pattern.h"
 
-namespace sample_pattern_test {
+namespace ps::sample_pattern_test {
 namespace {
-
-using namespace ps;
 
 std::vector<Vec2d> points(SamplePattern pattern, int count, Vec2i pixel) {
   std::vector<Vec2d> list;
@@ -104,4 +102,4 @@ TEST(SamplePattern, EvennessComesInTheKnownOrder) {
 }
 
 }  // namespace
-}  // namespace sample_pattern_test
+}  // namespace ps::sample_pattern_test

@@ -7,10 +7,8 @@
 #include "support/render_once.h"
 #include "support/trials.h"
 
-namespace sampling_story_test {
+namespace ps::sampling_story_test {
 namespace {
-
-using namespace ps;
 
 constexpr int width = 75, height = 75;
 
@@ -175,4 +173,4 @@ TEST(SamplingStory, ShadowCacheIsReplayedForChosenPixels) {
 }
 
 }  // namespace
-}  // namespace sampling_story_test
+}  // namespace ps::sampling_story_test

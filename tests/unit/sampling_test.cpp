@@ -10,10 +10,8 @@
 #include "scene/scene_file.h"
 #include "support/render_once.h"
 
-namespace sampling_test {
+namespace ps::sampling_test {
 namespace {
-
-using namespace ps;
 
 Frame traced(const Scene& scene, const Settings& settings, int width, int height, Channel channels = Channel::none,
              std::optional<TileRect> region = {}) {
@@ -212,4 +210,4 @@ TEST(Sampling, SubsamplingMissesThinWires) {
 }
 
 }  // namespace
-}  // namespace sampling_test
+}  // namespace ps::sampling_test

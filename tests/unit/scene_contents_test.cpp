@@ -17,8 +17,7 @@
 #include "support/render_once.h"
 #include "support/same_bits.h"
 
-namespace ps {
-namespace scene_contents_test {
+namespace ps::scene_contents_test {
 namespace {
 
 Image<Vec3f> picture_of(const Scene& scene, Renderer renderer, const Settings& like = {}) {
@@ -149,5 +148,4 @@ TEST(SceneContents, WhatDoesNotFitIsRefusedAndChangesNothing) {
 }
 
 }  // namespace
-}  // namespace scene_contents_test
-}  // namespace ps
+}  // namespace ps::scene_contents_test

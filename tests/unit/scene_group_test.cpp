@@ -9,8 +9,7 @@
 #include "scene/world.h"
 #include "support/refusal.h"
 
-namespace ps {
-namespace scene_group_test {
+namespace ps::scene_group_test {
 namespace {
 
 constexpr const char* model = "model { name = m vertices { (0, 0, 0) (1, 0, 0) (0, 1, 0) } triangles { (0, 1, 2) } }\n";
@@ -94,5 +93,4 @@ TEST(SceneGroup, RefusesWhatItCannotHold) {
 }
 
 }  // namespace
-}  // namespace scene_group_test
-}  // namespace ps
+}  // namespace ps::scene_group_test

@@ -10,10 +10,8 @@
 #include "scene/load.h"
 #include "study/stability/experiment.h"
 
-namespace search_words_test {
+namespace ps::search_words_test {
 namespace {
-
-using namespace ps;
 
 TEST(WordSearch, WantsEveryWordSomewhere) {
   EXPECT_TRUE(has_words("", {"shading"}));
@@ -106,4 +104,4 @@ TEST(SearchWords, AreThereForEveryRow) {
 }
 
 }  // namespace
-}  // namespace search_words_test
+}  // namespace ps::search_words_test

@@ -11,10 +11,8 @@
 
 #include <random>
 
-namespace solid_line_test {
+namespace ps::solid_line_test {
 namespace {
-
-using namespace ps;
 
 template <class Real>
 TracedForm<Real> traced(const Form& form) {
@@ -164,4 +162,4 @@ TEST(UvMaps, WorldMapHasItsMiddleInFront) {
 }
 
 }  // namespace
-}  // namespace solid_line_test
+}  // namespace ps::solid_line_test

@@ -4,10 +4,8 @@
 
 #include <gtest/gtest.h>
 
-namespace spelling_test {
+namespace ps::spelling_test {
 namespace {
-
-using namespace ps;
 
 constexpr std::array<std::string_view, 6> words{"near", "gamma", "reflection-depth", "bvh-holes", "z-vs-1-z", "x"};
 
@@ -31,4 +29,4 @@ TEST(Spelling, WhatIsFarFromAllPointsToTheList) {
 }
 
 }  // namespace
-}  // namespace spelling_test
+}  // namespace ps::spelling_test

@@ -13,10 +13,8 @@
 #include "base/check.h"
 #include "support/golden.h"
 
-namespace stability_study_test {
+namespace ps::stability_study_test {
 namespace {
-
-using namespace ps;
 
 StabilityRequest request_in(const std::string& folder) {
   StabilityRequest request;
@@ -164,4 +162,4 @@ TEST(StabilityStudy, ReportsTheTimeThatIsLeft) {
 }
 
 }  // namespace
-}  // namespace stability_study_test
+}  // namespace ps::stability_study_test

@@ -16,10 +16,8 @@
 #include "support/stability_table.h"
 #include "support/stability_verdict.h"
 
-namespace stability_table_test {
+namespace ps::stability_table_test {
 namespace {
-
-using namespace ps;
 using test::FigureKind;
 using test::FigureRule;
 using test::StabilityFigure;
@@ -249,4 +247,4 @@ TEST(StabilityPage, HasEveryRowOfTheTableAndNoOther) {
 }
 
 }  // namespace
-}  // namespace stability_table_test
+}  // namespace ps::stability_table_test

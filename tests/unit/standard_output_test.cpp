@@ -15,8 +15,7 @@
 #include "support/run_cli.h"
 #include "support/trials.h"
 
-namespace ps {
-namespace standard_output_test {
+namespace ps::standard_output_test {
 namespace {
 
 using test::run_cli;
@@ -110,5 +109,4 @@ TEST(StandardOutput, AReaderThatHasGone) {
 }
 
 }  // namespace
-}  // namespace standard_output_test
-}  // namespace ps
+}  // namespace ps::standard_output_test

@@ -2,10 +2,8 @@
 
 #include <gtest/gtest.h>
 
-namespace statistics_test {
+namespace ps::statistics_test {
 namespace {
-
-using namespace ps;
 
 TEST(Statistics, QuartilesInterpolateBetweenNeighbours) {
   const Quartiles odd = quartiles({5, 1, 4, 2, 3});
@@ -27,4 +25,4 @@ TEST(Statistics, GeometricMeanOfARatioAndItsInverseIsOne) {
 }
 
 }  // namespace
-}  // namespace statistics_test
+}  // namespace ps::statistics_test

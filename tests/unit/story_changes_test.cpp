@@ -8,8 +8,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 
-namespace ps {
-namespace story_changes_test {
+namespace ps::story_changes_test {
 namespace {
 
 struct Pinned {
@@ -96,5 +95,4 @@ TEST(StoryChanges, BothSumsAreListedInFull) {
 }
 
 }  // namespace
-}  // namespace story_changes_test
-}  // namespace ps
+}  // namespace ps::story_changes_test

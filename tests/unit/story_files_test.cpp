@@ -12,8 +12,7 @@
 #include "support/render_once.h"
 #include "support/stories.h"
 
-namespace ps {
-namespace story_files_test {
+namespace ps::story_files_test {
 namespace {
 
 TEST(StoryFiles, CsvKeepsEveryDigit) {
@@ -86,5 +85,4 @@ TEST(StoryFiles, MarkdownShowsEverything) {
 }
 
 }  // namespace
-}  // namespace story_files_test
-}  // namespace ps
+}  // namespace ps::story_files_test

@@ -11,8 +11,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 
-namespace ps {
-namespace svg_test {
+namespace ps::svg_test {
 namespace {
 
 // The test vectors of RFC 4648, section 10.
@@ -127,5 +126,4 @@ TEST(Svg, MicroscopeDrawsThePixel) {
 }
 
 }  // namespace
-}  // namespace svg_test
-}  // namespace ps
+}  // namespace ps::svg_test

@@ -6,10 +6,8 @@
 #include "student/check_listing.h"
 #include "support/own_listings.h"
 
-namespace ten_evenings_test {
+namespace ps::ten_evenings_test {
 namespace {
-
-using namespace ps;
 
 std::string copy_of(std::string_view folder, std::string_view without = {}) {
   return listing_copy(test::listing_in(folder), without);
@@ -83,4 +81,4 @@ TEST(TenEvenings, TheLastTakesThemAll) {
 }
 
 }  // namespace
-}  // namespace ten_evenings_test
+}  // namespace ps::ten_evenings_test

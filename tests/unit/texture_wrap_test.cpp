@@ -7,10 +7,8 @@
 
 #include "image/texture_sampling.h"
 
-namespace texture_wrap_test {
+namespace ps::texture_wrap_test {
 namespace {
-
-using namespace ps;
 
 constexpr int size = 16;
 
@@ -88,4 +86,4 @@ TEST(TextureWrap, ClampGoesOnWithTheBorder) {
 }
 
 }  // namespace
-}  // namespace texture_wrap_test
+}  // namespace ps::texture_wrap_test

@@ -8,8 +8,7 @@
 #include "image/file.h"
 #include "image/tga.h"
 
-namespace ps {
-namespace tga_test {
+namespace ps::tga_test {
 namespace {
 
 constexpr int width = 5, height = 4;
@@ -181,5 +180,4 @@ TEST(Tga, ReadsInterleavedRows) {
 }
 
 }  // namespace
-}  // namespace tga_test
-}  // namespace ps
+}  // namespace ps::tga_test

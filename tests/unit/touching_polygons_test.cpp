@@ -10,8 +10,7 @@
 
 #include "scene/polygon.h"
 
-namespace ps {
-namespace touching_polygons_test {
+namespace ps::touching_polygons_test {
 namespace {
 
 using Place = std::pair<int, int>;
@@ -183,5 +182,4 @@ TEST(TouchingPolygons, ManyVerticesTakeBoundedWork) {
 }
 
 }  // namespace
-}  // namespace touching_polygons_test
-}  // namespace ps
+}  // namespace ps::touching_polygons_test

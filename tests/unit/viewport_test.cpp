@@ -3,10 +3,8 @@
 
 #include <gtest/gtest.h>
 
-namespace viewport_test {
+namespace ps::viewport_test {
 namespace {
-
-using namespace ps;
 
 View view(int width, int height) {
   View result;
@@ -53,4 +51,4 @@ TEST(Viewport, SpanOfCentresPutsTheOutermostSamplesOnTheBorder) {
 }
 
 }  // namespace
-}  // namespace viewport_test
+}  // namespace ps::viewport_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ps {
-namespace watch_test {
+namespace ps::watch_test {
 namespace {
 
 TEST(Watch, RecordsLineNameAndValue) {
@@ -80,5 +79,4 @@ TEST(Watch, InnermostCollectorReceivesAndTheLimitHolds) {
 }
 
 }  // namespace
-}  // namespace watch_test
-}  // namespace ps
+}  // namespace ps::watch_test

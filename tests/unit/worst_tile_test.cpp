@@ -4,10 +4,8 @@
 
 #include "image/flip.h"
 
-namespace worst_tile_test {
+namespace ps::worst_tile_test {
 namespace {
-
-using namespace ps;
 
 TEST(WorstTile, SeesAnObjectThatTheMeanHides) {
   Image<Rgb8> with(256, 256, Rgb8{128, 128, 128}), none = with;
@@ -19,4 +17,4 @@ TEST(WorstTile, SeesAnObjectThatTheMeanHides) {
 }
 
 }  // namespace
-}  // namespace worst_tile_test
+}  // namespace ps::worst_tile_test

@@ -15,10 +15,8 @@
 #include "support/environment.h"
 #include "support/run_cli.h"
 
-namespace driver_experiments_test {
+namespace ps::driver_experiments_test {
 namespace {
-
-using namespace ps;
 
 std::map<double, StabilityRow> rows_of(const std::vector<StabilityRow>& all, const std::string& series) {
   std::map<double, StabilityRow> rows;
@@ -97,4 +95,4 @@ TEST(DriverLevel, IsNotMeasuredWithoutADriver) {
 }
 
 }  // namespace
-}  // namespace driver_experiments_test
+}  // namespace ps::driver_experiments_test
