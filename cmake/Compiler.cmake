@@ -57,6 +57,10 @@ else()
   set(unity_by_default ON)
 endif()
 option(PIXELSCOPE_UNITY "Compile 32 files of a target as one" ${unity_by_default})
+# Together they are included by their whole paths, which the cache would otherwise see in the text of an assertion.
+if(PIXELSCOPE_UNITY AND CMAKE_CXX_COMPILER_LAUNCHER)
+  add_compile_options(-fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=)
+endif()
 
 # GCC looks for memory to free from 128 MB on, and then files that are compiled together need up to 1.2 GB. Where there is
 # enough for three compilers on two cores, a limit of 1 GB (up to 1.7 GB in all) saves a tenth of the time.
