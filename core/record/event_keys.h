@@ -6,7 +6,7 @@
 
 namespace ps {
 
-/// Enumerators of events as keys for files: "before-range". Those that an option sets have the keys of the option table.
+/// Enumerators of events as keys for files: "before-range". Those that an option sets have keys of the option table.
 template <class Enum>
 std::string_view event_key(Enum value) {
   return enumerator_key(value);

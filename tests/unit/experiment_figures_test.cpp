@@ -55,19 +55,16 @@ TEST(ExperimentFigures, WhatIsShownFirstHasNaiveAndRobust) {
   }
 }
 
-constexpr KnobCase cases[]{{32, "float"}, {64, "double"}};
-constexpr StabilitySeries declared[]{
-    {.names = "second|*", .title = "pixels that are wrong", .unit = "%"},
-    {.names = "kept*", .title = "part that is kept", .unit = "of 1", .better = Better::higher},
-    {.names = "by bits*", .title = "misses", .unit = "per million", .cases = cases},
-};
 const StabilityExperiment experiment = [] {
   StabilityExperiment made;
   made.key = "made";
   made.knob = "gap (px)";
   made.naive = "a";
   made.robust = "b";
-  made.series = declared;
+  made.series = {
+      {.names = "second|*", .title = "pixels that are wrong", .unit = "%"},
+      {.names = "kept*", .title = "part that is kept", .unit = "of 1", .better = Better::higher},
+      {.names = "by bits*", .title = "misses", .unit = "per million", .cases = {{32, "float"}, {64, "double"}}}};
   return made;
 }();
 

@@ -195,9 +195,9 @@ void measure(const StabilityRun& run, Rows& rows) {
   const Result robust = balls.sampled(everywhere_16);
   const std::string rmse = "RMSE, levels", cost = "eye rays per pixel", share = "% of pixels";
   const auto add = [&](double knob, const std::string& method, const Result& naive) {
-    rows.push_back({knob, "error" + method, naive.rmse, robust.rmse, rmse});
-    rows.push_back({knob, "cost" + method, naive.rays, robust.rays, cost});
-    rows.push_back({knob, "off by 8 levels" + method, naive.off, robust.off, share});
+    rows.add(knob, "error" + method, naive.rmse, robust.rmse, rmse);
+    rows.add(knob, "cost" + method, naive.rays, robust.rays, cost);
+    rows.add(knob, "off by 8 levels" + method, naive.off, robust.off, share);
   };
   constexpr std::array thresholds{128.0, 64.0, 16.0, 4.0, 1.0};
   const auto adaptive = [&](double levels) {
@@ -208,7 +208,7 @@ void measure(const StabilityRun& run, Rows& rows) {
   };
   const double never_seen = balls.missed(everywhere_16);
   for (const double levels : thresholds)
-    rows.push_back({levels, "tiny balls in the sky", balls.missed(adaptive(levels)), never_seen, "% missed"});
+    rows.add(levels, "tiny balls in the sky", balls.missed(adaptive(levels)), never_seen, "% missed");
   for (const double levels : thresholds) add(levels, "", balls.sampled(adaptive(levels)));
   for (const double levels : thresholds)
     add(levels, ", corner subdivision (Whitted 1980)", balls.corners_subdivided(levels));
@@ -216,8 +216,8 @@ void measure(const StabilityRun& run, Rows& rows) {
     const double knob = samples;
     const Result grid = balls.sampled(Balls::with(samples, SamplePattern::grid));
     const Result jitter = balls.sampled(Balls::with(samples, SamplePattern::jitter));
-    rows.push_back({knob, "grid and jitter", grid.rmse, jitter.rmse, rmse});
-    rows.push_back({knob, "grid and jitter, off by 8 levels", grid.off, jitter.off, share});
+    rows.add(knob, "grid and jitter", grid.rmse, jitter.rmse, rmse);
+    rows.add(knob, "grid and jitter, off by 8 levels", grid.off, jitter.off, share);
   }
 }
 
@@ -230,28 +230,7 @@ StabilityPicture picture(double levels) {
   return picture;
 }
 
-constexpr std::array frames{64.0, 16.0, 4.0, 1.0};
-
 }  // namespace
-
-static constexpr StabilitySeries adaptive_sampling_misses_series[]{
-    {.names = "tiny balls in the sky", .title = "tiny balls that the picture lacks", .unit = "%"},
-    {.names = "error|error, *", .title = "error of the picture (RMSE)", .unit = "levels of 255"},
-    {.names = "cost|cost, *", .title = "eye rays for each pixel", .unit = "rays"},
-    {.names = "off by 8 levels|off by 8 levels, *", .title = "pixels off by at least 8 levels", .unit = "%"},
-    {.names = "grid and jitter",
-     .title = "error of the picture (RMSE)",
-     .unit = "levels of 255",
-     .knob = "samples per pixel",
-     .naive = "grid",
-     .robust = "jittered grid"},
-    {.names = "grid and jitter, off by 8 levels",
-     .title = "pixels off by at least 8 levels",
-     .unit = "%",
-     .knob = "samples per pixel",
-     .naive = "grid",
-     .robust = "jittered grid"},
-};
 
 extern const StabilityExperiment adaptive_sampling_misses{
     .key = "adaptive-sampling-misses",
@@ -266,9 +245,24 @@ extern const StabilityExperiment adaptive_sampling_misses{
         "threshold, so the error keeps a floor while the cost rises.",
     .safe = "Pictures without anything smaller than a pixel.",
     .window = nowhere_safe,
-    .series = adaptive_sampling_misses_series,
+    .series = {{.names = "tiny balls in the sky", .title = "tiny balls that the picture lacks", .unit = "%"},
+               {.names = "error|error, *", .title = "error of the picture (RMSE)", .unit = "levels of 255"},
+               {.names = "cost|cost, *", .title = "eye rays for each pixel", .unit = "rays"},
+               {.names = "off by 8 levels|off by 8 levels, *", .title = "pixels off by at least 8 levels", .unit = "%"},
+               {.names = "grid and jitter",
+                .title = "error of the picture (RMSE)",
+                .unit = "levels of 255",
+                .knob = "samples per pixel",
+                .naive = "grid",
+                .robust = "jittered grid"},
+               {.names = "grid and jitter, off by 8 levels",
+                .title = "pixels off by at least 8 levels",
+                .unit = "%",
+                .knob = "samples per pixel",
+                .naive = "grid",
+                .robust = "jittered grid"}},
     .add_rows = measure,
     .picture = picture,
-    .frames = frames};
+    .frames = {64.0, 16.0, 4.0, 1.0}};
 
 }  // namespace ps::stability::adaptive_sampling

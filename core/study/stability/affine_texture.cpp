@@ -1,7 +1,6 @@
 #include <array>
 #include <memory>
 
-#include "options/renderer_kind.h"
 #include "scene/scene_writer.h"
 #include "scene/texture_generator.h"
 #include "study/stability/plain_scene.h"
@@ -36,13 +35,10 @@ Scene strip(const Vec3d& first, const Vec3d& last, const Vec3d& across, int piec
 
 /// The texture coordinates that the rasterizer interpolates, with vertices rounded to its finest 1/4096 px.
 Frame coordinates(const Scene& scene, const View& view, Interpolation interpolation, const StabilityRun& run) {
-  Settings settings;
-  settings.renderer = renderer_for(PictureWay::fragments);
+  Settings settings = unlit_fragments();
   settings.precision = Precision::float64;
   settings.interpolation = interpolation;
   settings.subpixel_bits = 12;
-  settings.lighting = false;
-  settings.backface_culling = false;
   settings.near = 0.5;
   settings.clipping = Clipping::near_only;  // a cut at the picture's border would add a division
   return picture_of(scene, view, settings, Channel::uv | Channel::ids, run);
@@ -106,16 +102,15 @@ struct Wall {
 
 void measure(const StabilityRun& run, Rows& rows) {
   for (const int pieces : {1, 2, 4, 8, 16, 32, 64, 128})
-    rows.push_back({static_cast<double>(pieces), "floor from z = 1.5 to 9.5",
-                    floor_rmse(pieces, Interpolation::affine, run), floor_rmse(pieces, Interpolation::perspective, run),
-                    "texels of 512 (RMSE)"});
+    rows.add(pieces, "floor from z = 1.5 to 9.5", floor_rmse(pieces, Interpolation::affine, run),
+             floor_rmse(pieces, Interpolation::perspective, run), "texels of 512 (RMSE)");
   const double perspective = Wall::drawn(Interpolation::perspective, run);
   for (const int step : {4, 8, 16, 32, 64})
-    rows.push_back({static_cast<double>(step), "wall from z = 1 to 8, px between divisions",
-                    Wall::corrected_every(step), perspective, "texels of 256 (largest)"});
+    rows.add(step, "wall from z = 1 to 8, px between divisions", Wall::corrected_every(step), perspective,
+             "texels of 256 (largest)");
   // No division inside: affine.
-  rows.push_back({Wall::width, "wall from z = 1 to 8, px between divisions", Wall::drawn(Interpolation::affine, run),
-                  perspective, "texels of 256 (largest)"});
+  rows.add(Wall::width, "wall from z = 1 to 8, px between divisions", Wall::drawn(Interpolation::affine, run),
+           perspective, "texels of 256 (largest)");
 }
 
 /// The floor with a board of 8 x 8 squares.
@@ -128,26 +123,14 @@ StabilityPicture picture(double pieces) {
   scene.camera.forward = {0, -0.18, 1};  // a shifted picture: the floor fills it, and z stays what it is
   scene.camera.viewport_height = 0.36;
   StabilityPicture picture{.scene = write_scene(scene, "."), .width = 240, .height = 160};
-  picture.robust.renderer = renderer_for(PictureWay::fragments);
-  picture.robust.lighting = false;
-  picture.robust.backface_culling = false;
+  picture.robust = unlit_fragments();
   picture.robust.clipping = Clipping::near_only;
   picture.naive = picture.robust;
   picture.naive.interpolation = Interpolation::affine;
   return picture;
 }
 
-constexpr std::array frames{1.0, 2.0, 4.0, 8.0, 16.0};
-
 }  // namespace
-
-static constexpr StabilitySeries affine_texture_series[]{
-    {.names = "floor*", .title = "error of the texture coordinates (RMSE)", .unit = "texels of 512"},
-    {.names = "wall*",
-     .title = "largest error of the texture coordinates",
-     .unit = "texels of 256",
-     .knob = "distance between divisions (px)"},
-};
 
 extern const StabilityExperiment affine_texture{
     .key = "affine-texture",
@@ -163,9 +146,13 @@ extern const StabilityExperiment affine_texture{
         "triangles divide the error by four; one division at each pixel removes it.",
     .safe = "64 pieces: a tenth of a texel.",
     .window = {64, everywhere},
-    .series = affine_texture_series,
+    .series = {{.names = "floor*", .title = "error of the texture coordinates (RMSE)", .unit = "texels of 512"},
+               {.names = "wall*",
+                .title = "largest error of the texture coordinates",
+                .unit = "texels of 256",
+                .knob = "distance between divisions (px)"}},
     .add_rows = measure,
     .picture = picture,
-    .frames = frames};
+    .frames = {1.0, 2.0, 4.0, 8.0, 16.0}};
 
 }  // namespace ps::stability::affine_texture

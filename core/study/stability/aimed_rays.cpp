@@ -81,8 +81,8 @@ std::vector<CrackRates> crack_rates(AimAt what, const std::vector<TriangleHits>&
 }
 
 void add_cracks(Rows& rows, double knob, const std::string& series, const CrackRates& naive, const CrackRates& robust) {
-  rows.push_back({knob, series + ", misses", naive.misses, robust.misses, "per million rays"});
-  rows.push_back({knob, series + ", double hits", naive.doubles, robust.doubles, "per million rays"});
+  rows.add(knob, series + ", misses", naive.misses, robust.misses, "per million rays");
+  rows.add(knob, series + ", double hits", naive.doubles, robust.doubles, "per million rays");
 }
 
 bool watertight_hits(const AimedRay& ray, const TracedTriangle<float>& triangle) {

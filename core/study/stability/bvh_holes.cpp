@@ -106,20 +106,15 @@ void measure(const StabilityRun& run, Rows& rows) {
   // For a knob of 1e5 the sphere's centre lies at far_centre.
   for (const double distance : {0.0, 1e3, 1e5}) {
     const Holes holes = holes_at(far_centre * (distance / 1e5), AimAt::vertex, run);
-    rows.push_back({distance, "rays at vertices", holes.naive, holes.robust, "misses per million rays"});
-    rows.push_back({distance, "near < far, rays at vertices", holes.strict, holes.robust, "misses per million rays"});
-    rows.push_back({distance, "cost", holes.naive_nodes, holes.robust_nodes, "nodes per ray"});
+    rows.add(distance, "rays at vertices", holes.naive, holes.robust, "misses per million rays");
+    rows.add(distance, "near < far, rays at vertices", holes.strict, holes.robust, "misses per million rays");
+    rows.add(distance, "cost", holes.naive_nodes, holes.robust_nodes, "nodes per ray");
   }
   const Holes holes = holes_at(far_centre, AimAt::edge, run);
-  rows.push_back({1e5, "rays at edges", holes.naive, holes.robust, "misses per million rays"});
+  rows.add(1e5, "rays at edges", holes.naive, holes.robust, "misses per million rays");
 }
 
 }  // namespace
-
-static constexpr StabilitySeries bvh_holes_series[]{
-    {.names = "rays at vertices|*", .title = "rays that miss the mesh", .unit = "per million"},
-    {.names = "cost", .title = "nodes visited by a ray", .unit = "nodes"},
-};
 
 extern const StabilityExperiment bvh_holes{
     .key = "bvh-holes",
@@ -134,7 +129,8 @@ extern const StabilityExperiment bvh_holes{
         "along edges of boxes at every level of the tree.",
     .safe = "Nowhere for rays that are aimed at vertices.",
     .window = nowhere_safe,
-    .series = bvh_holes_series,
+    .series = {{.names = "rays at vertices|*", .title = "rays that miss the mesh", .unit = "per million"},
+               {.names = "cost", .title = "nodes visited by a ray", .unit = "nodes"}},
     .add_rows = measure};
 
 }  // namespace ps::stability::bvh_holes

@@ -134,7 +134,7 @@ void measure(const StabilityRun& run, Rows& rows) {
     const Rates rates = rates_at(distance, run);
     const double robust = percent(rates.robust, rates.rays);
     const auto add = [&](const char* series, double self_hits) {
-      rows.push_back({distance, series, percent(self_hits, rates.rays), robust, "% self-hits"});
+      rows.add(distance, series, percent(self_hits, rates.rays), robust, "% self-hits");
     };
     add("o + t d", rates.parameter);
     add("o + t d, t > 1e-4", rates.epsilon);
@@ -142,38 +142,18 @@ void measure(const StabilityRun& run, Rows& rows) {
     add("normal bump 1e-4", rates.bump);
     add("256 representable numbers along the normal", rates.integer);
     add("bound of the error, plain Moeller-Trumbore", rates.bound_alone);
-    rows.push_back({distance, "mean offset, 256 numbers and bound", rates.integer_offset / rates.rays,
-                    rates.bound_offset / rates.rays, "length"});
-    rows.push_back({distance, "mean distance from the plane, o + t d and weights", rates.along_off_plane / rates.hits,
-                    rates.weighed_off_plane / rates.hits, "length"});
-    rows.push_back({distance, "distance to plane: (o + t d) / barycentric",
-                    rates.along_off_plane / rates.weighed_off_plane, std::nan(""), "times"});
+    rows.add(distance, "mean offset, 256 numbers and bound", rates.integer_offset / rates.rays,
+             rates.bound_offset / rates.rays, "length");
+    rows.add(distance, "mean distance from the plane, o + t d and weights", rates.along_off_plane / rates.hits,
+             rates.weighed_off_plane / rates.hits, "length");
+    rows.add(distance, "distance to plane: (o + t d) / barycentric", rates.along_off_plane / rates.weighed_off_plane,
+             std::nan(""), "times");
   }
-  rows.push_back({0, "bound of the error, plain Moeller-Trumbore, 400,000 triangles", bound_alone(0, run), std::nan(""),
-                  "% self-hits"});
+  rows.add(0, "bound of the error, plain Moeller-Trumbore, 400,000 triangles", bound_alone(0, run), std::nan(""),
+           "% self-hits");
 }
 
 }  // namespace
-
-static constexpr StabilitySeries constant_normal_bump_series[]{
-    {.names = "normal bump 1e-4|*", .title = "rays that hit the surface they leave", .unit = "%"},
-    {.names = "mean offset*",
-     .title = "mean length of the offset",
-     .unit = "world units",
-     .naive = "256 numbers along the normal",
-     .robust = "bound of the error"},
-    {.names = "mean distance*",
-     .title = "mean distance of hit points from the plane",
-     .unit = "world units",
-     .naive = "o + t d",
-     .robust = "from the barycentric weights"},
-    {.names = "distance to plane*",
-     .title = "distance from the plane, o + t d divided by barycentric",
-     .unit = "times",
-     .better = Better::neither,
-     .naive = "ratio",
-     .robust = "none"},
-};
 
 extern const StabilityExperiment constant_normal_bump{
     .key = "constant-normal-bump",
@@ -187,7 +167,23 @@ extern const StabilityExperiment constant_normal_bump{
                    "are spaced more closely than the bump.",
     .safe = "A bump of 0.0001 up to a few hundred units from the origin.",
     .window = {nowhere, 100},
-    .series = constant_normal_bump_series,
+    .series = {{.names = "normal bump 1e-4|*", .title = "rays that hit the surface they leave", .unit = "%"},
+               {.names = "mean offset*",
+                .title = "mean length of the offset",
+                .unit = "world units",
+                .naive = "256 numbers along the normal",
+                .robust = "bound of the error"},
+               {.names = "mean distance*",
+                .title = "mean distance of hit points from the plane",
+                .unit = "world units",
+                .naive = "o + t d",
+                .robust = "from the barycentric weights"},
+               {.names = "distance to plane*",
+                .title = "distance from the plane, o + t d divided by barycentric",
+                .unit = "times",
+                .better = Better::neither,
+                .naive = "ratio",
+                .robust = "none"}},
     .add_rows = measure};
 
 }  // namespace ps::stability::constant_normal_bump

@@ -64,18 +64,13 @@ void measure_growth(const StabilityRun& run, Rows& rows) {
       for (const GrowingStrategy& one : growing) {
         const CountingSink sink = tests_of(one.strategy, input);
         PS_ASSERT(sink.covered == box.covered, "all strategies find the same samples");
-        rows.push_back(
-            {static_cast<double>(side), std::string(triangle.name) + ", " + one.name, box.tests, sink.tests, "tests"});
+        rows.add(side, std::string(triangle.name) + ", " + one.name, box.tests, sink.tests, "tests");
       }
     }
   }
 }
 
 }  // namespace
-
-static constexpr StabilitySeries coverage_growth_series[]{
-    {.names = "*", .title = "samples, rows, cells and pieces tested", .unit = "tests"},
-};
 
 extern const StabilityExperiment coverage_growth{
     .key = "coverage-growth",
@@ -91,7 +86,7 @@ extern const StabilityExperiment coverage_growth{
         "triangle, for a thin one is cut as often as a wide one.",
     .safe = "Triangles of a few pixels: then the box has hardly more samples than the triangle.",
     .window = {0, 8},
-    .series = coverage_growth_series,
+    .series = {{.names = "*", .title = "samples, rows, cells and pieces tested", .unit = "tests"}},
     .add_rows = measure_growth};
 
 }  // namespace ps::stability::coverage_growth

@@ -1,5 +1,4 @@
 #include <array>
-#include <memory>
 
 #include <glm/geometric.hpp>
 
@@ -66,9 +65,8 @@ Camera turned(Camera camera, Random& random) {
 void measure(const StabilityRun& run, Rows& rows) {
   constexpr const char* unit = "px see through";
   const auto add = [&](const std::string& series, const Scene& scene, int size, Precision precision) {
-    rows.push_back({static_cast<double>(size), series,
-                    uncovered(scene, size, TriangleTest::moeller_trumbore, precision, run),
-                    uncovered(scene, size, TriangleTest::watertight, precision, run), unit});
+    rows.add(size, series, uncovered(scene, size, TriangleTest::moeller_trumbore, precision, run),
+             uncovered(scene, size, TriangleTest::watertight, precision, run), unit);
   };
   const int even = run.side(2048, 512), odd = run.side(2049, 513), odd_before = run.side(2047, 511);
   const Scene aligned = inside_of_sphere(Order::meridian_opposite);
@@ -84,14 +82,10 @@ void measure(const StabilityRun& run, Rows& rows) {
     naive += uncovered(scene, even, TriangleTest::moeller_trumbore, Precision::float32, run);
     robust += uncovered(scene, even, TriangleTest::watertight, Precision::float32, run);
   }
-  rows.push_back({static_cast<double>(even), "float, turned cameras, four pictures", naive, robust, unit});
+  rows.add(even, "float, turned cameras, four pictures", naive, robust, unit);
 }
 
 }  // namespace
-
-static constexpr StabilitySeries cracks_in_an_image_series[]{
-    {.names = "float|*", .title = "pixels that show the background", .unit = "px", .between = Between::nothing},
-};
 
 extern const StabilityExperiment cracks_in_an_image{
     .key = "cracks-in-an-image",
@@ -107,7 +101,8 @@ extern const StabilityExperiment cracks_in_an_image{
         "vertices, one in a million does.",
     .safe = "Views that no edge is aligned with; no size is safe for every view.",
     .window = nowhere_safe,
-    .series = cracks_in_an_image_series,
+    .series =
+        {{.names = "float|*", .title = "pixels that show the background", .unit = "px", .between = Between::nothing}},
     .add_rows = measure};
 
 }  // namespace ps::stability::cracks_in_an_image

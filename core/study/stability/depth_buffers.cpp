@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "options/renderer_kind.h"
 #include "raster/setup/depth_format.h"
 #include "study/stability/support.h"
 
@@ -127,17 +126,16 @@ void measure_formats(const StabilityRun& run, Rows& rows) {
         Format{"unorm 24 of z", written(code(DepthFormat::unorm, 24, false, DepthValue::z))}}) {
     run.check();
     for (const double gap : {0.001, 0.01, 0.1})
-      rows.push_back({gap, fmt::format("{}, z = 1000", format.name), confused(format.depth, 1000, gap, run),
-                      confused(reversed, 1000, gap, run), "% of pixels wrong"});
+      rows.add(gap, fmt::format("{}, z = 1000", format.name), confused(format.depth, 1000, gap, run),
+               confused(reversed, 1000, gap, run), "% of pixels wrong");
     // A gap of z itself, which reaches past the far plane: what hides it hides all smaller ones.
-    rows.push_back({9000, fmt::format("{}, z = 9000", format.name), confused(format.depth, 9000, 9000, run),
-                    confused(reversed, 9000, 9000, run), "% of pixels wrong"});
+    rows.add(9000, fmt::format("{}, z = 9000", format.name), confused(format.depth, 9000, 9000, run),
+             confused(reversed, 9000, 9000, run), "% of pixels wrong");
     for (std::size_t i = 0; i < depths.size(); ++i)
-      rows.push_back({depths[i], fmt::format("{}, resolved", format.name), smallest_gap(format.depth, depths[i], run),
-                      robust[i], "smallest gap that 99 % of pairs show"});
-    rows.push_back({1e-5, fmt::format("{}, any z, gap as a share of z", format.name),
-                    same_neighbours(format.depth, run), same_neighbours(reversed, run),
-                    "% of pairs that look the same"});
+      rows.add(depths[i], fmt::format("{}, resolved", format.name), smallest_gap(format.depth, depths[i], run),
+               robust[i], "smallest gap that 99 % of pairs show");
+    rows.add(1e-5, fmt::format("{}, any z, gap as a share of z", format.name), same_neighbours(format.depth, run),
+             same_neighbours(reversed, run), "% of pairs that look the same");
   }
 }
 
@@ -145,10 +143,10 @@ void measure_near(const StabilityRun& run, Rows& rows) {
   constexpr double z = 1000;
   for (const double near : {1.0, 0.1, 0.01, 0.001}) {
     const Written naive = written(code(DepthFormat::unorm, 24, false, DepthValue::inverse_z, near));
-    rows.push_back({near, "z = 1000", smallest_gap(naive, z, run), smallest_gap(written(reversed_float(near)), z, run),
-                    "smallest gap that 99 % of pairs show"});
-    rows.push_back(
-        {near, "closed form: z^2 / (near 2^24), z = 1000", z * z / (near * 0x1p24), std::nan(""), "width of a code"});
+    rows.add(near, "z = 1000", smallest_gap(naive, z, run), smallest_gap(written(reversed_float(near)), z, run),
+             "smallest gap that 99 % of pairs show");
+    rows.add(near, "closed form: z^2 / (near 2^24), z = 1000", z * z / (near * 0x1p24), std::nan(""),
+             "width of a code");
   }
 }
 
@@ -157,17 +155,14 @@ void measure_linear(const StabilityRun& run, Rows& rows) {
   const Written naive = written(code(DepthFormat::unorm, 16, false, DepthValue::z));
   const Written robust = written(code(DepthFormat::unorm, 24, false, DepthValue::z));
   for (const double z : {10.0, 100.0, 1000.0, 9000.0}) {
-    rows.push_back({z, "gap 0.01", confused(naive, z, gap, run), confused(robust, z, gap, run), "% of pixels wrong"});
-    rows.push_back(
-        {z, "closed form: 1 - gap / step, gap 0.01", 100 * (1 - gap / step), std::nan(""), "% of pixels wrong"});
+    rows.add(z, "gap 0.01", confused(naive, z, gap, run), confused(robust, z, gap, run), "% of pixels wrong");
+    rows.add(z, "closed form: 1 - gap / step, gap 0.01", 100 * (1 - gap / step), std::nan(""), "% of pixels wrong");
   }
 }
 
 StabilityPicture sheets() {
   StabilityPicture picture{.scene = "lab/z-fighting"};
-  picture.robust.renderer = renderer_for(PictureWay::fragments);
-  picture.robust.lighting = false;
-  picture.robust.backface_culling = false;
+  picture.robust = unlit_fragments();
   picture.robust.near = 0.1;
   picture.robust.far = 10000;
   picture.robust.depth_format = DepthFormat::unit_float;
@@ -197,31 +192,7 @@ StabilityPicture picture_linear(double) {
   return picture;
 }
 
-constexpr std::array gaps{0.01};
-constexpr std::array nears{1.0, 0.1, 0.01, 0.001};
-constexpr std::array places{1000.0};
-
 }  // namespace
-
-static constexpr StabilitySeries depth_bits_z_fighting_series[]{
-    {.names = "unorm 24, z = 1000|*, z = 1000",
-     .title = "pixels that show the wrong surface, at depth 1,000",
-     .unit = "%",
-     .knob = "gap between the two surfaces (world units)",
-     .between = Between::nothing},
-    {.names = "unorm 24, resolved|*, resolved",
-     .title = "smallest gap that 99 % of pairs show",
-     .unit = "world units",
-     .knob = "depth of the two surfaces (world units)"},
-    {.names = "*, z = 9000",
-     .title = "pixels that show the wrong surface, at depth 9,000",
-     .unit = "%",
-     .knob = "gap between the two surfaces (world units)"},
-    {.names = "*, any z*",
-     .title = "pairs of surfaces that look the same",
-     .unit = "%",
-     .knob = "gap as a share of the depth"},
-};
 
 extern const StabilityExperiment depth_bits_z_fighting{
     .key = "depth-bits-z-fighting",
@@ -239,19 +210,26 @@ extern const StabilityExperiment depth_bits_z_fighting{
         "Reversed, the two compensate. Reversing an integer buffer gains nothing.",
     .safe = "Gaps above z^2 / (near 2^bits).",
     .window = nowhere_safe,
-    .series = depth_bits_z_fighting_series,
+    .series = {{.names = "unorm 24, z = 1000|*, z = 1000",
+                .title = "pixels that show the wrong surface, at depth 1,000",
+                .unit = "%",
+                .knob = "gap between the two surfaces (world units)",
+                .between = Between::nothing},
+               {.names = "unorm 24, resolved|*, resolved",
+                .title = "smallest gap that 99 % of pairs show",
+                .unit = "world units",
+                .knob = "depth of the two surfaces (world units)"},
+               {.names = "*, z = 9000",
+                .title = "pixels that show the wrong surface, at depth 9,000",
+                .unit = "%",
+                .knob = "gap between the two surfaces (world units)"},
+               {.names = "*, any z*",
+                .title = "pairs of surfaces that look the same",
+                .unit = "%",
+                .knob = "gap as a share of the depth"}},
     .add_rows = measure_formats,
     .picture = picture_formats,
-    .frames = gaps};
-
-static constexpr StabilitySeries near_plane_series[]{
-    {.names = "z = 1000", .title = "smallest gap that 99 % of pairs show, at depth 1,000", .unit = "world units"},
-    {.names = "closed form*",
-     .title = "width of a depth code",
-     .unit = "world units",
-     .naive = "closed form",
-     .robust = "none"},
-};
+    .frames = {0.01}};
 
 extern const StabilityExperiment near_plane{
     .key = "near-plane",
@@ -267,14 +245,17 @@ extern const StabilityExperiment near_plane{
         "wider everywhere.",
     .safe = "The farthest near plane that cuts nothing off.",
     .window = {1, everywhere},
-    .series = near_plane_series,
+    .series = {{.names = "z = 1000",
+                .title = "smallest gap that 99 % of pairs show, at depth 1,000",
+                .unit = "world units"},
+               {.names = "closed form*",
+                .title = "width of a depth code",
+                .unit = "world units",
+                .naive = "closed form",
+                .robust = "none"}},
     .add_rows = measure_near,
     .picture = picture_near,
-    .frames = nears};
-
-static constexpr StabilitySeries sixteen_bit_linear_z_series[]{
-    {.names = "gap 0.01|*", .title = "pixels that show the wrong surface", .unit = "%"},
-};
+    .frames = {1.0, 0.1, 0.01, 0.001}};
 
 extern const StabilityExperiment sixteen_bit_linear_z{
     .key = "16-bit-linear-z",
@@ -289,9 +270,9 @@ extern const StabilityExperiment sixteen_bit_linear_z{
                    "are 0.0006, but z is not linear on the screen, so it cannot be interpolated there.",
     .safe = "Gaps above 1/65,536 of the range.",
     .window = nowhere_safe,
-    .series = sixteen_bit_linear_z_series,
+    .series = {{.names = "gap 0.01|*", .title = "pixels that show the wrong surface", .unit = "%"}},
     .add_rows = measure_linear,
     .picture = picture_linear,
-    .frames = places};
+    .frames = {1000.0}};
 
 }  // namespace ps::stability::depth_buffers

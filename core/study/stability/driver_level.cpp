@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -6,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "options/renderer_kind.h"
 #include "render/renderer_table.h"
 #include "scene/scene_file.h"
 #include "study/stability/support.h"
@@ -198,12 +196,12 @@ void measure_level(const StabilityRun& run, Rows& rows) {
     const Frame by_driver = finder.draw(driver), by_shader = finder.draw(shader);
     const Image<int> formula = finder.levels(finder.formula());
     const Image<int> driver_levels = finder.levels(by_driver), shader_levels = finder.levels(by_shader);
-    rows.push_back({tilt, "another level", other_levels(driver_levels, formula), other_levels(shader_levels, formula),
-                    "% of pixels at another level than the rasterizer's"});
-    rows.push_back({tilt, "borders inside blocks", borders_in_blocks(driver_levels), borders_in_blocks(shader_levels),
-                    "% of borders between levels, inside a block of 2 x 2 pixels"});
-    rows.push_back({tilt, "colour", colour_error(by_driver, finder.formula(), formula),
-                    colour_error(by_shader, finder.formula(), formula), "RMSE, levels of 255"});
+    rows.add(tilt, "another level", other_levels(driver_levels, formula), other_levels(shader_levels, formula),
+             "% of pixels at another level than the rasterizer's");
+    rows.add(tilt, "borders inside blocks", borders_in_blocks(driver_levels), borders_in_blocks(shader_levels),
+             "% of borders between levels, inside a block of 2 x 2 pixels");
+    rows.add(tilt, "colour", colour_error(by_driver, finder.formula(), formula),
+             colour_error(by_shader, finder.formula(), formula), "RMSE, levels of 255");
   }
 }
 
@@ -218,15 +216,6 @@ StabilityPicture picture_level(double tilt) {
 }
 
 }  // namespace
-
-static constexpr StabilitySeries driver_level_series[]{
-    {.names = "another level", .title = "pixels at another level than the rasterizer's", .unit = "%"},
-    {.names = "borders inside blocks",
-     .title = "borders between levels that run through a block of 2 x 2 pixels",
-     .unit = "%",
-     .better = Better::neither},
-    {.names = "colour", .title = "difference from the rasterizer (RMSE)", .unit = "levels of 255"},
-};
 
 extern const StabilityExperiment driver_level{
     .key = "driver-level",
@@ -245,10 +234,15 @@ extern const StabilityExperiment driver_level{
         "block.",
     .safe = "Surfaces that face the viewer.",
     .window = {nowhere, 35},
-    .series = driver_level_series,
+    .series = {{.names = "another level", .title = "pixels at another level than the rasterizer's", .unit = "%"},
+               {.names = "borders inside blocks",
+                .title = "borders between levels that run through a block of 2 x 2 pixels",
+                .unit = "%",
+                .better = Better::neither},
+               {.names = "colour", .title = "difference from the rasterizer (RMSE)", .unit = "levels of 255"}},
     .add_rows = measure_level,
     .picture = picture_level,
     .measures_driver = true,
-    .frames = tilts};
+    .frames = {tilts.begin(), tilts.end()}};
 
 }  // namespace ps::stability::driver_level

@@ -1,10 +1,7 @@
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "options/renderer_kind.h"
 #include "render/renderer_table.h"
 #include "scene/scene_file.h"
 #include "study/stability/support.h"
@@ -79,21 +76,12 @@ void measure_edge(const StabilityRun& run, Rows& measured) {
   for (int step = 0; step <= 16; ++step) {
     const double moved = step / 2048.0;
     const double driver = off_by(strip_settings(driver_renderer().value(), 8), moved, run);
-    measured.push_back({moved, "edge", driver, off_by(strip_settings(triangles, 12), moved, run), "pixels"});
-    measured.push_back(
-        {moved, "edge, both to 8 bits", driver, off_by(strip_settings(triangles, 8), moved, run), "pixels"});
+    measured.add(moved, "edge", driver, off_by(strip_settings(triangles, 12), moved, run), "pixels");
+    measured.add(moved, "edge, both to 8 bits", driver, off_by(strip_settings(triangles, 8), moved, run), "pixels");
   }
 }
 
 }  // namespace
-
-static constexpr StabilitySeries driver_snapping_series[]{
-    {.names = "edge", .title = "distance of the edge from its place", .unit = "pixels"},
-    {.names = "edge, both to 8 bits",
-     .title = "distance of the edge from its place",
-     .unit = "pixels",
-     .robust = "the rasterizer with 8 sub-pixel bits"},
-};
 
 extern const StabilityExperiment driver_snapping{
     .key = "driver-snapping",
@@ -108,7 +96,11 @@ extern const StabilityExperiment driver_snapping{
                    "vertices as well, to as many bits as the option subpixel-bits says.",
     .safe = "Movements of many sub-pixels in each picture.",
     .window = nowhere_safe,
-    .series = driver_snapping_series,
+    .series = {{.names = "edge", .title = "distance of the edge from its place", .unit = "pixels"},
+               {.names = "edge, both to 8 bits",
+                .title = "distance of the edge from its place",
+                .unit = "pixels",
+                .robust = "the rasterizer with 8 sub-pixel bits"}},
     .add_rows = measure_edge,
     .measures_driver = true};
 

@@ -1,5 +1,3 @@
-#include <array>
-
 #include "scene/scene_file.h"
 #include "study/stability/support.h"
 
@@ -59,8 +57,8 @@ void measure(const StabilityRun& run, Rows& rows) {
   for (const double epsilon : {1e-3, 1e-2, 0.05, 0.1, 0.2, 0.3, 0.5}) {
     const Frame frame = shadows_of(scene, guarded(epsilon), run);
     for (const int light : {point_light, sun})
-      rows.push_back({epsilon, light == sun ? "directional light" : "point light", lost(truth, frame, light),
-                      lost(truth, offset, light), "% of the shadow on the ground lost"});
+      rows.add(epsilon, light == sun ? "directional light" : "point light", lost(truth, frame, light),
+               lost(truth, offset, light), "% of the shadow on the ground lost");
   }
 }
 
@@ -71,13 +69,7 @@ StabilityPicture picture(double epsilon) {
   return picture;
 }
 
-constexpr std::array frames{1e-3, 0.1, 0.2, 0.3, 0.5};
-
 }  // namespace
-
-static constexpr StabilitySeries epsilon_too_large_series[]{
-    {.names = "directional light|point light", .title = "shadow on the ground that is lost", .unit = "%"},
-};
 
 extern const StabilityExperiment epsilon_too_large{
     .key = "epsilon-too-large",
@@ -91,9 +83,9 @@ extern const StabilityExperiment epsilon_too_large{
                    "directional light (1, 4, 4) it skips nearly six times its value.",
     .safe = "Up to 0.01 for this scene.",
     .window = {nowhere, 0.01},
-    .series = epsilon_too_large_series,
+    .series = {{.names = "directional light|point light", .title = "shadow on the ground that is lost", .unit = "%"}},
     .add_rows = measure,
     .picture = picture,
-    .frames = frames};
+    .frames = {1e-3, 0.1, 0.2, 0.3, 0.5}};
 
 }  // namespace ps::stability::epsilon_too_large

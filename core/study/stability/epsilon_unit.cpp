@@ -37,15 +37,11 @@ double shortest_shadow(double length, EpsilonUnit unit, const StabilityRun& run)
 
 void measure(const StabilityRun& run, Rows& rows) {
   for (const double length : {0.1, 1.0, 3.5, 5.744562646538029, 100.0})
-    rows.push_back({length, "shadow rays", shortest_shadow(length, EpsilonUnit::ray_parameter, run),
-                    shortest_shadow(length, EpsilonUnit::distance, run), "units between board and wall"});
+    rows.add(length, "shadow rays", shortest_shadow(length, EpsilonUnit::ray_parameter, run),
+             shortest_shadow(length, EpsilonUnit::distance, run), "units between board and wall");
 }
 
 }  // namespace
-
-static constexpr StabilitySeries epsilon_unit_series[]{
-    {.names = "*", .title = "gap between board and wall that is skipped", .unit = "world units"},
-};
 
 extern const StabilityExperiment epsilon_unit{
     .key = "epsilon-unit",
@@ -60,7 +56,7 @@ extern const StabilityExperiment epsilon_unit{
                    "0.0035 units towards its point light and 0.0057 towards its directional one.",
     .safe = "Directions of length 1.",
     .window = {1, 1},
-    .series = epsilon_unit_series,
+    .series = {{.names = "*", .title = "gap between board and wall that is skipped", .unit = "world units"}},
     .add_rows = measure};
 
 }  // namespace ps::stability::epsilon_unit

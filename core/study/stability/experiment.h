@@ -90,17 +90,17 @@ struct StabilityExperiment {
   Place place;
   SetUp set_up = SetUp::illustration;
   std::string_view title;
-  std::string_view keywords{};              ///< other words that people search for, separated by commas
-  std::string_view knob;                    ///< what is turned, with its unit
-  std::string_view naive, robust;           ///< the two methods
-  std::string_view explanation;             ///< why, in two sentences
-  std::string_view safe;                    ///< where the naive method may be used, in words
-  SafeWindow window;                        ///< the same on the knob
-  std::span<const StabilitySeries> series;  ///< what its series measure; the one first that the text speaks of
+  std::string_view keywords{};          ///< other words that people search for, separated by commas
+  std::string_view knob;                ///< what is turned, with its unit
+  std::string_view naive, robust;       ///< the two methods
+  std::string_view explanation;         ///< why, in two sentences
+  std::string_view safe;                ///< where the naive method may be used, in words
+  SafeWindow window;                    ///< the same on the knob
+  std::vector<StabilitySeries> series;  ///< what its series measure; the one first that the text speaks of
   void (*add_rows)(const StabilityRun&, stability::Rows&) = nullptr;  ///< measures
   StabilityPicture (*picture)(double knob) = nullptr;                 ///< null: nothing to see
-  bool measures_driver = false;      ///< it needs the renderer that uses a graphics driver (render/renderer_table.h)
-  std::span<const double> frames{};  ///< knobs of the film strip, from left to right: those of the first of `series`
+  bool measures_driver = false;  ///< it needs the renderer that uses a graphics driver (render/renderer_table.h)
+  std::vector<double> frames{};  ///< knobs of the film strip, from left to right: those of the first of `series`
 
   /// Its table.
   std::vector<StabilityRow> measure(const StabilityRun& run) const;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "options/renderer_kind.h"
 #include "raster/assembly/vertex_stage.h"
 #include "scene/scene_file.h"
 #include "study/stability/support.h"
@@ -106,8 +105,8 @@ void measure(const StabilityRun& run, Rows& rows) {
   for (const double distance : {0.0, 1e3, 1e4, 1e5, 1e6, 1e7}) {
     const Errors errors = errors_at(distance, run);
     const auto add = [&](const std::string& name, const Error& naive) {
-      rows.push_back({distance, name + ", rms", naive.rms(), errors.relative.rms(), "px"});
-      rows.push_back({distance, name + ", largest", naive.largest(), errors.relative.largest(), "px"});
+      rows.add(distance, name + ", rms", naive.rms(), errors.relative.rms(), "px");
+      rows.add(distance, name + ", largest", naive.largest(), errors.relative.largest(), "px");
     };
     add("camera-relative = off", errors.rounded_first);
     add("4 x 4 matrix in float", errors.matrix);
@@ -122,14 +121,7 @@ StabilityPicture picture(double distance) {
   return picture;
 }
 
-constexpr std::array frames{1e4, 1e5, 1e6, 1e7};
-
 }  // namespace
-
-static constexpr StabilitySeries far_from_origin_series[]{
-    {.names = "camera-relative = off, rms|*", .title = "error of projected vertices (RMS)", .unit = "px"},
-    {.names = "*largest", .title = "largest error of projected vertices", .unit = "px"},
-};
 
 extern const StabilityExperiment far_from_origin{
     .key = "far-from-origin",
@@ -143,9 +135,10 @@ extern const StabilityExperiment far_from_origin{
                    "difference between vertex and camera is small and fits a float well.",
     .safe = "Up to 10,000 units: a vertex is off by a quarter of a pixel at most.",
     .window = {nowhere, 1e4},
-    .series = far_from_origin_series,
+    .series = {{.names = "camera-relative = off, rms|*", .title = "error of projected vertices (RMS)", .unit = "px"},
+               {.names = "*largest", .title = "largest error of projected vertices", .unit = "px"}},
     .add_rows = measure,
     .picture = picture,
-    .frames = frames};
+    .frames = {1e4, 1e5, 1e6, 1e7}};
 
 }  // namespace ps::stability::far_from_origin

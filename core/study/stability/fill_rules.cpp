@@ -1,4 +1,3 @@
-#include "raster/base/edge_function.h"
 #include "raster/clear/coverage/inexact_edges.h"
 #include "raster/clear/interpolate.h"
 #include "study/stability/jittered_mesh.h"
@@ -6,34 +5,22 @@
 namespace ps::stability::fill_rules {
 namespace {
 
-using raster::CoverageGrid;
-using raster::FixedPoint;
-
 enum class Width { int64, int32 };
 
 /// Draws a mesh with the program's edge functions and counts how often each pixel is painted.
 Image<int> painted_times(const FlatMesh& mesh, int side, FillRule rule, Width width) {
   Image<int> times(side, side);
-  const CoverageGrid grid{8, rule, {0.5, 0.5}};
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const auto p = mesh.corners(i);
-    const std::array<FixedPoint, 3> corner{raster::to_fixed(p[0], 8), raster::to_fixed(p[1], 8),
-                                           raster::to_fixed(p[2], 8)};
-    const auto edges = raster::make_edges(corner, grid);
-    if (!edges) continue;
-    const TileRect box = raster::sample_box(corner, grid);
-    for (int y = std::max(0, box.y0); y < std::min(side, box.y1); ++y)
-      for (int x = std::max(0, box.x0); x < std::min(side, box.x1); ++x) {
-        const auto value = edges->at(x, y);
-        bool inside = edges->inside(value);
-        if (width == Width::int32) {
-          inside = true;
-          for (std::size_t k = 0; k < 3; ++k)
-            inside = inside && raster::inside_edge(raster::wrapped(value[k], 8), edges->threshold[k]);
-        }
-        times.at(x, y) += inside ? 1 : 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    for_pixels_in_box(mesh, i, 8, rule, side, [&](const auto& edges, int x, int y) {
+      const auto value = edges.at(x, y);
+      bool inside = edges.inside(value);
+      if (width == Width::int32) {
+        inside = true;
+        for (std::size_t k = 0; k < 3; ++k)
+          inside = inside && raster::inside_edge(raster::wrapped(value[k], 8), edges.threshold[k]);
       }
-  }
+      times.at(x, y) += inside ? 1 : 0;
+    });
   return times;
 }
 
@@ -69,8 +56,8 @@ void measure_easy(const StabilityRun& run, Rows& rows) {
       const std::string name = std::string(squares ? "edges on samples" : "vertices on half pixels") +
                                (rule == FillRule::inclusive ? ", >= 0" : ", > 0");
       const double knob = rule == FillRule::inclusive ? 0 : 1;
-      rows.push_back({knob, name + ", holes", naive.holes, robust.holes, "px of 429,025"});
-      rows.push_back({knob, name + ", doubles", naive.doubles, robust.doubles, "px of 429,025"});
+      rows.add(knob, name + ", holes", naive.holes, robust.holes, "px of 429,025");
+      rows.add(knob, name + ", doubles", naive.doubles, robust.doubles, "px of 429,025");
     }
   }
 }
@@ -83,8 +70,8 @@ void measure_int32(const StabilityRun& run, Rows& rows) {
       return count_painted(painted_times(mesh, window, FillRule::top_left, width), 0, window).holes;
     };
     // A triangle is half a cell.
-    rows.push_back({window / static_cast<double>(cells), "square root of a triangle's area", holes(Width::int32),
-                    holes(Width::int64), "holes, px of 429,025"});
+    rows.add(window / static_cast<double>(cells), "square root of a triangle's area", holes(Width::int32),
+             holes(Width::int64), "holes, px of 429,025");
   }
 }
 
@@ -117,17 +104,12 @@ void measure_inclusive(const StabilityRun& run, Rows& rows) {
     const int last = 10 + static_cast<int>(cells * size);
     const Painted naive = count_painted(times, 11, last);
     const Painted robust = count_painted(painted_times(mesh, 640, FillRule::top_left, Width::int64), 11, last);
-    rows.push_back({size, "mesh", percent(naive.doubles, naive.pixels), percent(robust.doubles, robust.pixels),
-                    "% of pixels painted more than once"});
+    rows.add(size, "mesh", percent(naive.doubles, naive.pixels), percent(robust.doubles, robust.pixels),
+             "% of pixels painted more than once");
   }
 }
 
 }  // namespace
-
-static constexpr StabilitySeries fill_rule_easy_series[]{
-    {.names = "*holes", .title = "pixels that no triangle paints", .unit = "px of 429,025"},
-    {.names = "*doubles", .title = "pixels that two triangles paint", .unit = "px of 429,025"},
-};
 
 extern const StabilityExperiment fill_rule_easy{
     .key = "fill-rule-easy",
@@ -143,12 +125,9 @@ extern const StabilityExperiment fill_rule_easy{
                    "up to a fifth of a cell and rounded to half pixels.",
     .safe = "Meshes without a sample on an edge.",
     .window = nowhere_safe,
-    .series = fill_rule_easy_series,
+    .series = {{.names = "*holes", .title = "pixels that no triangle paints", .unit = "px of 429,025"},
+               {.names = "*doubles", .title = "pixels that two triangles paint", .unit = "px of 429,025"}},
     .add_rows = measure_easy};
-
-static constexpr StabilitySeries int32_edge_functions_series[]{
-    {.names = "*", .title = "pixels that no triangle paints", .unit = "px of 429,025"},
-};
 
 extern const StabilityExperiment int32_edge_functions{
     .key = "int32-edge-functions",
@@ -163,12 +142,8 @@ extern const StabilityExperiment int32_edge_functions{
                    "bits its sign changes.",
     .safe = "Triangles with edges of up to 128 pixels, whose areas are at most half of 128 by 128.",
     .window = {nowhere, 90},
-    .series = int32_edge_functions_series,
+    .series = {{.names = "*", .title = "pixels that no triangle paints", .unit = "px of 429,025"}},
     .add_rows = measure_int32};
-
-static constexpr StabilitySeries inclusive_scanlines_series[]{
-    {.names = "*", .title = "pixels painted more than once", .unit = "%"},
-};
 
 extern const StabilityExperiment inclusive_scanlines{
     .key = "inclusive-scanlines",
@@ -182,7 +157,7 @@ extern const StabilityExperiment inclusive_scanlines{
                    "twice. The smaller the triangles, the more of their pixels lie on edges.",
     .safe = "Opaque triangles, where painting a pixel twice only costs time.",
     .window = nowhere_safe,
-    .series = inclusive_scanlines_series,
+    .series = {{.names = "*", .title = "pixels painted more than once", .unit = "%"}},
     .add_rows = measure_inclusive};
 
 }  // namespace ps::stability::fill_rules

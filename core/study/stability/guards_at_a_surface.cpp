@@ -99,8 +99,8 @@ void measure(const StabilityRun& run, Rows& rows) {
     for (const Body& body : bodies) {
       const double robust = wrong_shadows(body, size, SelfHit::offset, run);
       for (const Guard& naive : guards)
-        rows.push_back({size, fmt::format("{}, {}", body.name, naive.name), wrong_shadows(body, size, naive.guard, run),
-                        robust, "% of pixels"});
+        rows.add(size, fmt::format("{}, {}", body.name, naive.name), wrong_shadows(body, size, naive.guard, run),
+                 robust, "% of pixels");
     }
 }
 
@@ -108,13 +108,7 @@ StabilityPicture picture(double size) {
   return {.scene = solid_well(size), .naive = with_guard(SelfHit::exclusion), .robust = with_guard(SelfHit::offset)};
 }
 
-constexpr std::array frames{1.0};
-
 }  // namespace
-
-static constexpr StabilitySeries guards_at_a_surface_series[]{
-    {.names = "hollow solid, exclusion|*", .title = "pixels with a wrong shadow", .unit = "%"},
-};
 
 extern const StabilityExperiment guards_at_a_surface{
     .key = "guards-at-a-surface",
@@ -130,9 +124,9 @@ extern const StabilityExperiment guards_at_a_surface{
         "long, and far out, where floats are spaced more widely, they do not guard.",
     .safe = "Exclusion: convex bodies and single triangles. An epsilon or a bump of 0.001: scenes of 1 to 100 units.",
     .window = nowhere_safe,
-    .series = guards_at_a_surface_series,
+    .series = {{.names = "hollow solid, exclusion|*", .title = "pixels with a wrong shadow", .unit = "%"}},
     .add_rows = measure,
     .picture = picture,
-    .frames = frames};
+    .frames = {1.0}};
 
 }  // namespace ps::stability::guards_at_a_surface

@@ -51,7 +51,7 @@ void add_slopes(Rows& rows, const StabilityRun& run) {
       for (int i = 1; i <= n; i += std::max(1, n / 10000))
         robust = std::max(robust, std::abs(static_cast<double>(between_ends(start, end, i, n)) - (from + slope * i)));
     }
-    rows.push_back({static_cast<double>(n), "float, worst of 64 edges", naive, robust, "px at the end of the edge"});
+    rows.add(n, "float, worst of 64 edges", naive, robust, "px at the end of the edge");
   }
 }
 
@@ -70,8 +70,7 @@ void count_wrong_pixels(Rows& rows, const StabilityRun& run) {
       }
       steps += n;
     }
-    rows.push_back({static_cast<double>(n), "float, edges anywhere", percent(naive, steps), percent(robust, steps),
-                    "% of steps at another pixel"});
+    rows.add(n, "float, edges anywhere", percent(naive, steps), percent(robust, steps), "% of steps at another pixel");
   }
 }
 
@@ -96,9 +95,8 @@ void finer_numbers(Rows& rows, const StabilityRun& run) {
       fixed_robust = std::max(fixed_robust, std::abs(from_sixteen(start + (end - start) * n / n) - edge.last));
     }
     if (n <= 100000)  // longer ones cost half a second
-      rows.push_back({static_cast<double>(n), "double, worst of 64 edges", naive, robust, "px at the end of the edge"});
-    rows.push_back({static_cast<double>(n), "16.16 fixed point, worst of 64 edges", fixed, fixed_robust,
-                    "px at the end of the edge"});
+      rows.add(n, "double, worst of 64 edges", naive, robust, "px at the end of the edge");
+    rows.add(n, "16.16 fixed point, worst of 64 edges", fixed, fixed_robust, "px at the end of the edge");
   }
 }
 
@@ -109,8 +107,8 @@ void add_inverse_depths(Rows& rows) {
     const auto error = [&](float inverse) {
       return 100 * std::abs(static_cast<double>(last) / static_cast<double>(inverse) - 1);
     };
-    rows.push_back({static_cast<double>(n), "float 1/z from 1 to 0.001", error(added_up(first, last, n)),
-                    error(between_ends(first, last, n, n)), "% of z at the end"});
+    rows.add(n, "float 1/z from 1 to 0.001", error(added_up(first, last, n)), error(between_ends(first, last, n, n)),
+             "% of z at the end");
   }
 }
 
@@ -128,9 +126,9 @@ void turn_again_and_again(Rows& rows) {
     }
     const double angle = std::fmod(turns * degree, 2 * pi);
     const auto afresh = std::hypot(static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)));
-    rows.push_back({static_cast<double>(turns), "float, turned by 1 degree each step",
-                    std::hypot(static_cast<double>(x), static_cast<double>(y)) - 1, static_cast<double>(afresh) - 1,
-                    "length gained"});
+    rows.add(turns, "float, turned by 1 degree each step",
+             std::hypot(static_cast<double>(x), static_cast<double>(y)) - 1, static_cast<double>(afresh) - 1,
+             "length gained");
   }
 }
 
@@ -143,13 +141,6 @@ void measure(const StabilityRun& run, Rows& rows) {
 }
 
 }  // namespace
-
-static constexpr StabilitySeries interpolate_drift_series[]{
-    {.names = "float, worst of 64 edges|*", .title = "error at the end of the edge", .unit = "px"},
-    {.names = "float, edges anywhere", .title = "steps that land on another pixel", .unit = "%"},
-    {.names = "float 1/z*", .title = "error of z at the end", .unit = "%"},
-    {.names = "float, turned*", .title = "length gained by a vector that is turned", .unit = "lengths"},
-};
 
 extern const StabilityExperiment interpolate_drift{
     .key = "interpolate-drift",
@@ -165,7 +156,10 @@ extern const StabilityExperiment interpolate_drift{
         "the ends is rounded only once or twice.",
     .safe = "Up to about 10,000 steps for a third of a pixel.",
     .window = {nowhere, 10000},
-    .series = interpolate_drift_series,
+    .series = {{.names = "float, worst of 64 edges|*", .title = "error at the end of the edge", .unit = "px"},
+               {.names = "float, edges anywhere", .title = "steps that land on another pixel", .unit = "%"},
+               {.names = "float 1/z*", .title = "error of z at the end", .unit = "%"},
+               {.names = "float, turned*", .title = "length gained by a vector that is turned", .unit = "lengths"}},
     .add_rows = measure};
 
 }  // namespace ps::stability::interpolate_drift

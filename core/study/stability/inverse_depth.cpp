@@ -1,11 +1,8 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <memory>
 
 #include <fmt/format.h>
 
-#include "options/renderer_kind.h"
 #include "raster/assembly/screen_geometry.h"
 #include "raster/base/depth_test.h"
 #include "study/stability/plain_scene.h"
@@ -50,11 +47,8 @@ Scene scene_of(const Wall& wall) {
 /// does.
 std::vector<double> depths(const Wall& wall, DepthValue value, const StabilityRun& run) {
   run.check();
-  Settings settings;
-  settings.renderer = renderer_for(PictureWay::fragments);
+  Settings settings = unlit_fragments();
   settings.sample_position = SamplePosition::corner;
-  settings.lighting = false;
-  settings.backface_culling = false;
   settings.depth_value = value;
   const Scene scene = scene_of(wall);
   Prepared prepared;
@@ -102,18 +96,17 @@ void measure(const StabilityRun& run, Rows& rows) {
   for (const double ratio : {1.1, 2.0, 5.0, 10.0, 100.0, 1000.0}) {
     const Wall wall = across_picture(ratio);
     const char* unit = "share of the depth range";
-    rows.push_back({ratio, "largest on the edge", largest_error(wall, DepthValue::z, run),
-                    largest_error(wall, DepthValue::inverse_z, run), unit});
-    rows.push_back({ratio, "closed form: (sqrt r - 1) / (sqrt r + 1)", (std::sqrt(ratio) - 1) / (std::sqrt(ratio) + 1),
-                    std::nan(""), unit});
+    rows.add(ratio, "largest on the edge", largest_error(wall, DepthValue::z, run),
+             largest_error(wall, DepthValue::inverse_z, run), unit);
+    rows.add(ratio, "closed form: (sqrt r - 1) / (sqrt r + 1)", (std::sqrt(ratio) - 1) / (std::sqrt(ratio) + 1),
+             std::nan(""), unit);
   }
   const std::vector<double> naive = depths(book_wall, DepthValue::z, run);
   const std::vector<double> robust = depths(book_wall, DepthValue::inverse_z, run);
   const auto centre = static_cast<std::size_t>(middle - book_wall.first_column());
-  rows.push_back(
-      {book_wall.ratio(), "the book's edge", naive[centre], robust[centre], "z at the centre of the canvas"});
-  rows.push_back({book_wall.ratio(), "the book's edge before objects of one depth", wrongly_ordered(naive),
-                  wrongly_ordered(robust), "% of pixels that show the wrong one"});
+  rows.add(book_wall.ratio(), "the book's edge", naive[centre], robust[centre], "z at the centre of the canvas");
+  rows.add(book_wall.ratio(), "the book's edge before objects of one depth", wrongly_ordered(naive),
+           wrongly_ordered(robust), "% of pixels that show the wrong one");
 }
 
 /// The wall from z = 2 to z = 2 `ratio`, and a board halfway between those depths.
@@ -129,28 +122,13 @@ StabilityPicture picture(double ratio) {
       "  triangles {{ (0, 1, 2, (70, 120, 190)) (2, 1, 3, (70, 120, 190)) }}\n}}\n"
       "instance {{ model = wall }}\ninstance {{ model = board }}\n",
       2 * wall.a_x, 2 * wall.b_x, 2 * wall.b_z, 0.4 * z, 0.1 * z, z);
-  picture.robust.renderer = renderer_for(PictureWay::fragments);
-  picture.robust.lighting = false;
-  picture.robust.backface_culling = false;
+  picture.robust = unlit_fragments();
   picture.naive = picture.robust;
   picture.naive.depth_value = DepthValue::z;
   return picture;
 }
 
-constexpr std::array frames{1.1, 2.0, 5.0, 100.0};
-
 }  // namespace
-
-static constexpr StabilitySeries inverse_depth_series[]{
-    {.names = "largest on the edge|closed form*",
-     .title = "largest error of the depth",
-     .unit = "share of the depth range"},
-    {.names = "the book's edge",
-     .title = "depth at the centre of the canvas, where 6 is right",
-     .unit = "world units",
-     .better = Better::neither},
-    {.names = "the book's edge before*", .title = "pixels that show the wrong surface", .unit = "%"},
-};
 
 extern const StabilityExperiment inverse_depth{
     .key = "z-vs-1-z",
@@ -164,9 +142,16 @@ extern const StabilityExperiment inverse_depth{
     .explanation = "Equal steps on the screen are not equal steps in depth. 1/z is linear on the screen, z is not.",
     .safe = "Ratios up to 1.1 for an error of 2.5 % of the depth range.",
     .window = {nowhere, 1.1},
-    .series = inverse_depth_series,
+    .series = {{.names = "largest on the edge|closed form*",
+                .title = "largest error of the depth",
+                .unit = "share of the depth range"},
+               {.names = "the book's edge",
+                .title = "depth at the centre of the canvas, where 6 is right",
+                .unit = "world units",
+                .better = Better::neither},
+               {.names = "the book's edge before*", .title = "pixels that show the wrong surface", .unit = "%"}},
     .add_rows = measure,
     .picture = picture,
-    .frames = frames};
+    .frames = {1.1, 2.0, 5.0, 100.0}};
 
 }  // namespace ps::stability::inverse_depth

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "image/image.h"
+#include "raster/base/edge_function.h"
 #include "study/stability/support.h"
 
 namespace ps::stability {
@@ -51,6 +52,20 @@ inline FlatMesh turned(FlatMesh mesh, const Vec2d& middle, double angle, double 
     point = {place(middle.x + cosine * p.x - sine * p.y), place(middle.y + sine * p.x + cosine * p.y)};
   }
   return mesh;
+}
+
+/// Calls visit(edges, x, y) for each pixel of side x side in the box of a triangle whose vertices are rounded to this
+/// number of fractional bits; for none if it has no area.
+template <class Visit>
+void for_pixels_in_box(const FlatMesh& mesh, std::size_t triangle, int bits, FillRule rule, int side, Visit&& visit) {
+  const auto p = mesh.corners(triangle);
+  const std::array corner{raster::to_fixed(p[0], bits), raster::to_fixed(p[1], bits), raster::to_fixed(p[2], bits)};
+  const raster::CoverageGrid grid{bits, rule, {0.5, 0.5}};
+  const auto edges = raster::make_edges(corner, grid);
+  if (!edges) return;
+  const TileRect box = raster::sample_box(corner, grid);
+  for (int y = std::max(0, box.y0); y < std::min(side, box.y1); ++y)
+    for (int x = std::max(0, box.x0); x < std::min(side, box.x1); ++x) visit(*edges, x, y);
 }
 
 /// Pixels covered by none and by several triangles.

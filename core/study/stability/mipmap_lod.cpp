@@ -1,11 +1,9 @@
-#include <array>
 #include <memory>
 
 #include "image/anisotropic.h"
 #include "image/mip_level.h"
 #include "image/planes.h"
 #include "image/texture_sampling.h"
-#include "options/renderer_kind.h"
 #include "study/stability/support.h"
 
 namespace ps::stability::mipmap_lod {
@@ -132,9 +130,9 @@ void measure_lod(const StabilityRun& run, Rows& rows) {
   const Error robust = error_of(floor, TextureFilter::trilinear, 0, 16);
   constexpr double tap = 4;  // a bilinear lookup is one
   const auto add = [&](double knob, const std::string& name, const Error& naive) {
-    rows.push_back({knob, name, naive.whole, robust.whole, "RMSE, levels"});
-    rows.push_back({knob, name + ", far quarter", naive.far, robust.far, "RMSE, levels"});
-    rows.push_back({knob, name + ", cost", naive.texels / tap, robust.texels / tap, "lookups of 4 texels per pixel"});
+    rows.add(knob, name, naive.whole, robust.whole, "RMSE, levels");
+    rows.add(knob, name + ", far quarter", naive.far, robust.far, "RMSE, levels");
+    rows.add(knob, name + ", cost", naive.texels / tap, robust.texels / tap, "lookups of 4 texels per pixel");
   };
   add(0, "nearest", error_of(floor, TextureFilter::nearest, 0, 1));
   add(0, "bilinear", error_of(floor, TextureFilter::bilinear, 0, 1));
@@ -173,39 +171,7 @@ StabilityPicture picture_lod(double bias) {
   return picture;
 }
 
-constexpr std::array biases{-2.0, -1.0, 0.0, 1.0, 2.0};
-
 }  // namespace
-
-static constexpr StabilitySeries mipmap_lod_series[]{
-    {.names = "trilinear, bias|*",
-     .title = "error of the floor (RMSE)",
-     .unit = "levels of 255",
-     .knob = "mip bias (levels)"},
-    {.names = "anisotropic, taps", .title = "error of the floor (RMSE)", .unit = "levels of 255"},
-    {.names = "trilinear, bias, far quarter|*far quarter",
-     .title = "error of the far quarter (RMSE)",
-     .unit = "levels of 255",
-     .knob = "mip bias (levels)"},
-    {.names = "anisotropic, taps, far quarter", .title = "error of the far quarter (RMSE)", .unit = "levels of 255"},
-    {.names = "trilinear, bias, cost|*cost",
-     .title = "lookups of 4 texels for each pixel",
-     .unit = "lookups",
-     .knob = "mip bias (levels)"},
-    {.names = "anisotropic, taps, cost", .title = "lookups of 4 texels for each pixel", .unit = "lookups"},
-    {.names = "many samples, no levels",
-     .title = "error of the floor (RMSE)",
-     .unit = "levels of 255",
-     .knob = "samples per pixel"},
-    {.names = "many samples, no levels, far quarter",
-     .title = "error of the far quarter (RMSE)",
-     .unit = "levels of 255",
-     .knob = "samples per pixel"},
-    {.names = "many samples, no levels, cost",
-     .title = "lookups of 4 texels for each pixel",
-     .unit = "lookups",
-     .knob = "samples per pixel"},
-};
 
 extern const StabilityExperiment mipmap_lod{
     .key = "mipmap-lod",
@@ -220,9 +186,37 @@ extern const StabilityExperiment mipmap_lod{
         "either aliased in depth or blurred across; several lookups along the footprint fit both.",
     .safe = "Surfaces that face the viewer.",
     .window = {16, everywhere},
-    .series = mipmap_lod_series,
+    .series = {{.names = "trilinear, bias|*",
+                .title = "error of the floor (RMSE)",
+                .unit = "levels of 255",
+                .knob = "mip bias (levels)"},
+               {.names = "anisotropic, taps", .title = "error of the floor (RMSE)", .unit = "levels of 255"},
+               {.names = "trilinear, bias, far quarter|*far quarter",
+                .title = "error of the far quarter (RMSE)",
+                .unit = "levels of 255",
+                .knob = "mip bias (levels)"},
+               {.names = "anisotropic, taps, far quarter",
+                .title = "error of the far quarter (RMSE)",
+                .unit = "levels of 255"},
+               {.names = "trilinear, bias, cost|*cost",
+                .title = "lookups of 4 texels for each pixel",
+                .unit = "lookups",
+                .knob = "mip bias (levels)"},
+               {.names = "anisotropic, taps, cost", .title = "lookups of 4 texels for each pixel", .unit = "lookups"},
+               {.names = "many samples, no levels",
+                .title = "error of the floor (RMSE)",
+                .unit = "levels of 255",
+                .knob = "samples per pixel"},
+               {.names = "many samples, no levels, far quarter",
+                .title = "error of the far quarter (RMSE)",
+                .unit = "levels of 255",
+                .knob = "samples per pixel"},
+               {.names = "many samples, no levels, cost",
+                .title = "lookups of 4 texels for each pixel",
+                .unit = "lookups",
+                .knob = "samples per pixel"}},
     .add_rows = measure_lod,
     .picture = picture_lod,
-    .frames = biases};
+    .frames = {-2.0, -1.0, 0.0, 1.0, 2.0}};
 
 }  // namespace ps::stability::mipmap_lod

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
@@ -82,7 +81,7 @@ void measure_disc(const StabilityRun& run, Rows& rows) {
   Settings at_corner = samples(1);
   at_corner.sample_position = SamplePosition::corner;
   const auto add = [&](double diameter, const char* series, double naive, double robust) {
-    rows.push_back({diameter, series, naive, robust, "% missed"});
+    rows.add(diameter, series, naive, robust, "% missed");
   };
   for (const double diameter : {0.1, 0.3, 0.5, 0.7, 1.0, 1.4}) {
     Discs discs(diameter, run.effort < 1 ? 24 : 48, 3, run);
@@ -141,10 +140,9 @@ void measure_bars(const StabilityRun& run, Rows& rows) {
     for (const int width : {1, 2, 4, 8}) {
       if (width >= step) continue;
       const Bars bars(width);
-      rows.push_back({static_cast<double>(step), fmt::format("bars {} px wide", width), bars.missed(step, run),
-                      bars.missed(1, run), "% missed"});
-      rows.push_back({static_cast<double>(step), fmt::format("closed form: 1 - {} / k", width),
-                      100 * (1 - static_cast<double>(width) / step), std::nan(""), "% missed"});
+      rows.add(step, fmt::format("bars {} px wide", width), bars.missed(step, run), bars.missed(1, run), "% missed");
+      rows.add(step, fmt::format("closed form: 1 - {} / k", width), 100 * (1 - static_cast<double>(width) / step),
+               std::nan(""), "% missed");
     }
 }
 
@@ -154,14 +152,7 @@ StabilityPicture picture_bars(double step) {
   return picture;
 }
 
-constexpr std::array diameters{0.3, 0.5, 0.7, 1.0};
-constexpr std::array steps{2.0, 4.0, 8.0, 16.0};
-
 }  // namespace
-
-static constexpr StabilitySeries sub_pixel_disc_missed_series[]{
-    {.names = "centres|*", .title = "discs that no sample meets", .unit = "%"},
-};
 
 extern const StabilityExperiment sub_pixel_disc_missed{
     .key = "sub-pixel-disc-missed",
@@ -177,14 +168,10 @@ extern const StabilityExperiment sub_pixel_disc_missed{
         "diameter D <= 1 px with probability 1 - pi D^2 / 4, random samples miss more. No later step brings it back.",
     .safe = "Discs larger than 1.42 pixels.",
     .window = {1.42, everywhere},
-    .series = sub_pixel_disc_missed_series,
+    .series = {{.names = "centres|*", .title = "discs that no sample meets", .unit = "%"}},
     .add_rows = measure_disc,
     .picture = picture_disc,
-    .frames = diameters};
-
-static constexpr StabilitySeries subsampling_bars_series[]{
-    {.names = "bars 1 px wide|*", .title = "bars that no traced column meets", .unit = "%"},
-};
+    .frames = {0.3, 0.5, 0.7, 1.0}};
 
 extern const StabilityExperiment subsampling_bars{
     .key = "subsampling-bars",
@@ -200,9 +187,9 @@ extern const StabilityExperiment subsampling_bars{
                    "well. Tracing where neighbours differ does not help, because both sides of the bar agree.",
     .safe = "Objects at least k pixels wide.",
     .window = {1, 1},
-    .series = subsampling_bars_series,
+    .series = {{.names = "bars 1 px wide|*", .title = "bars that no traced column meets", .unit = "%"}},
     .add_rows = measure_bars,
     .picture = picture_bars,
-    .frames = steps};
+    .frames = {2.0, 4.0, 8.0, 16.0}};
 
 }  // namespace ps::stability::missed_details

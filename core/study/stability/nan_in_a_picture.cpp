@@ -37,16 +37,15 @@ void add_clamps(Rows& rows, const StabilityRun& run) {
   Image<Vec3f> robust = picture;
   for (Vec3f& pixel : robust.pixels()) pixel = clamp_colour(pixel);
   const auto add = [&](const std::string& how, const Image<Vec3f>& naive) {
-    rows.push_back({0, "NaN left by " + how, static_cast<double>(count_nan_pixels(naive)),
-                    static_cast<double>(count_nan_pixels(robust)), "pixels"});
+    rows.add(0, "NaN left by " + how, static_cast<double>(count_nan_pixels(naive)),
+             static_cast<double>(count_nan_pixels(robust)), "pixels");
   };
   add("std::clamp(x, 0, 1)", clamped(picture, [](float x) { return std::clamp(x, 0.0f, 1.0f); }));
   add("min(max(x, 0), 1)", clamped(picture, [](float x) { return std::min(std::max(x, 0.0f), 1.0f); }));
   const Image<Vec3f> inside_out = clamped(picture, [](float x) { return std::max(0.0f, std::min(1.0f, x)); });
   add("max(0, min(1, x))", inside_out);
-  rows.push_back({0, "value of the NaN pixel after max(0, min(1, x))",
-                  static_cast<double>(inside_out.at(middle, middle).r),
-                  static_cast<double>(robust.at(middle, middle).r), "linear"});
+  rows.add(0, "value of the NaN pixel after max(0, min(1, x))", static_cast<double>(inside_out.at(middle, middle).r),
+           static_cast<double>(robust.at(middle, middle).r), "linear");
 }
 
 /// Root of the mean square over all channels, as it is often written.
@@ -63,14 +62,14 @@ void add_checks(Rows& rows, const StabilityRun& run) {
   const Image<Vec3f> right = greys(Middle::number, run), wrong = greys(Middle::not_a_number, run);
   const auto add = [&](const char* series, const Image<Vec3f>& picture) {
     const double rmse = plain_rmse(picture, right);
-    rows.push_back({0, series, rmse > limit ? 0.0 : 1.0, rmse <= limit ? 1.0 : 0.0, "passed"});
+    rows.add(0, series, rmse > limit ? 0.0 : 1.0, rmse <= limit ? 1.0 : 0.0, "passed");
   };
   add("check of the error, a NaN in the picture", wrong);
   add("check of the error, the right picture", right);
   // The program's own comparison leaves such pixels out of its means, so their number belongs into every check.
   const Comparison comparison = compare_channels(wrong, right);
-  rows.push_back(
-      {0, "not finite, counted before the error", std::nan(""), static_cast<double>(comparison.not_finite), "pixels"});
+  rows.add(0, "not finite, counted before the error", std::nan(""), static_cast<double>(comparison.not_finite),
+           "pixels");
 }
 
 /// Means of `width` x `width` pixels; the robust ones are of the pixels that are finite.
@@ -131,34 +130,18 @@ double lost_to_samples(Sums sums, const StabilityRun& run) {
 void measure(const StabilityRun& run, Rows& rows) {
   const Image<Vec3f> picture = greys(Middle::not_a_number, run);
   for (const int width : {1, 3, 5, 9, 15})
-    rows.push_back({static_cast<double>(width), "blur, one NaN pixel", lost_to_blur(picture, width, Sums::all),
-                    lost_to_blur(picture, width, Sums::finite), "pixels lost"});
+    rows.add(width, "blur, one NaN pixel", lost_to_blur(picture, width, Sums::all),
+             lost_to_blur(picture, width, Sums::finite), "pixels lost");
   for (const int width : {3, 5, 9, 15})
-    rows.push_back({static_cast<double>(width), "blur by a running sum", lost_to_running_sum(picture, width, Sums::all),
-                    lost_to_running_sum(picture, width, Sums::finite), "% of later means lost"});
-  rows.push_back({0, "running mean of samples", lost_to_samples(Sums::all, run), lost_to_samples(Sums::finite, run),
-                  "% of later means lost"});
+    rows.add(width, "blur by a running sum", lost_to_running_sum(picture, width, Sums::all),
+             lost_to_running_sum(picture, width, Sums::finite), "% of later means lost");
+  rows.add(0, "running mean of samples", lost_to_samples(Sums::all, run), lost_to_samples(Sums::finite, run),
+           "% of later means lost");
   add_clamps(rows, run);
   add_checks(rows, run);
 }
 
 }  // namespace
-
-static constexpr StabilitySeries nan_in_a_picture_series[]{
-    {.names = "blur, one NaN pixel", .title = "pixels lost around one NaN", .unit = "px", .between = Between::nothing},
-    {.names = "blur by a running sum", .title = "later means that are lost", .unit = "%", .between = Between::nothing},
-    {.names = "running mean of samples", .title = "later means that are lost", .unit = "%"},
-    {.names = "NaN left*", .title = "NaN pixels that are left", .unit = "px"},
-    {.names = "value of*", .title = "value of the NaN pixel", .unit = "linear light", .better = Better::neither},
-    {.names = "check of the error, a NaN in the picture",
-     .title = "checks passed by a picture with a NaN",
-     .unit = "checks"},
-    {.names = "check of the error, the right picture",
-     .title = "checks passed by the right picture",
-     .unit = "checks",
-     .better = Better::higher},
-    {.names = "not finite*", .title = "values reported as not finite", .unit = "px", .better = Better::higher},
-};
 
 extern const StabilityExperiment nan_in_a_picture{
     .key = "nan-in-a-picture",
@@ -174,7 +157,26 @@ extern const StabilityExperiment nan_in_a_picture{
                    "operands, and an error of NaN is not above the limit.",
     .safe = "No NaN.",
     .window = nowhere_safe,
-    .series = nan_in_a_picture_series,
+    .series =
+        {{.names = "blur, one NaN pixel",
+          .title = "pixels lost around one NaN",
+          .unit = "px",
+          .between = Between::nothing},
+         {.names = "blur by a running sum",
+          .title = "later means that are lost",
+          .unit = "%",
+          .between = Between::nothing},
+         {.names = "running mean of samples", .title = "later means that are lost", .unit = "%"},
+         {.names = "NaN left*", .title = "NaN pixels that are left", .unit = "px"},
+         {.names = "value of*", .title = "value of the NaN pixel", .unit = "linear light", .better = Better::neither},
+         {.names = "check of the error, a NaN in the picture",
+          .title = "checks passed by a picture with a NaN",
+          .unit = "checks"},
+         {.names = "check of the error, the right picture",
+          .title = "checks passed by the right picture",
+          .unit = "checks",
+          .better = Better::higher},
+         {.names = "not finite*", .title = "values reported as not finite", .unit = "px", .better = Better::higher}},
     .add_rows = measure};
 
 }  // namespace ps::stability::nan_in_a_picture

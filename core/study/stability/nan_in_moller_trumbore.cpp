@@ -40,16 +40,11 @@ void measure(const StabilityRun&, Rows& rows) {
         Case{"collinear", ahead, {Vec3f(-1, 0, 5), Vec3f(0, 0, 5), Vec3f(2, 0, 5)}},
         Case{"coordinates of 1e-30", ahead, {a * 1e-30f, b * 1e-30f, c * 1e-30f}},
         Case{"direction 0", Vec3f(0), {a, b, c}}})
-    rows.push_back({0, k.name, rejecting(Vec3f(0), k.direction, k.triangle) ? 1.0 : 0.0,
-                    accepting(Vec3f(0), k.direction, k.triangle) ? 1.0 : 0.0, "hits"});
+    rows.add(0, k.name, rejecting(Vec3f(0), k.direction, k.triangle) ? 1.0 : 0.0,
+             accepting(Vec3f(0), k.direction, k.triangle) ? 1.0 : 0.0, "hits");
 }
 
 }  // namespace
-
-static constexpr StabilitySeries nan_in_moller_trumbore_series[]{
-    {.names = "*", .title = "hits of what cannot be hit", .unit = "hits"},
-    {.names = "a triangle ahead", .title = "hits of a proper triangle", .unit = "hits", .better = Better::higher},
-};
 
 extern const StabilityExperiment nan_in_moller_trumbore{
     .key = "nan-in-moller-trumbore",
@@ -64,7 +59,9 @@ extern const StabilityExperiment nan_in_moller_trumbore{
                    "triangle is hit. If it tests for reasons to hit, none applies and the triangle is missed.",
     .safe = "Finite coordinates whose products are finite.",
     .window = nowhere_safe,
-    .series = nan_in_moller_trumbore_series,
+    .series =
+        {{.names = "*", .title = "hits of what cannot be hit", .unit = "hits"},
+         {.names = "a triangle ahead", .title = "hits of a proper triangle", .unit = "hits", .better = Better::higher}},
     .add_rows = measure};
 
 }  // namespace ps::stability::nan_in_moller_trumbore

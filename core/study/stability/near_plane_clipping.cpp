@@ -1,8 +1,5 @@
-#include <array>
-
 #include <fmt/format.h>
 
-#include "options/renderer_kind.h"
 #include "scene/scene_file.h"
 #include "study/stability/inner_pixels.h"
 
@@ -23,12 +20,9 @@ std::string floor_text(double third_z) {
 }
 
 Settings fragments(Clipping clipping) {
-  Settings settings;
-  settings.renderer = renderer_for(PictureWay::fragments);
+  Settings settings = unlit_fragments();
   settings.clipping = clipping;
   settings.near = near;
-  settings.lighting = false;
-  settings.backface_culling = false;
   return settings;
 }
 
@@ -47,7 +41,7 @@ void measure(const StabilityRun& run, Rows& rows) {
     const auto wrong = [&](const Owners& shown) { return wrong_owners(truth, shown); };
     const double robust = wrong(picture_with(z, fragments(Clipping::full), run));
     const auto add = [&](const char* series, const Owners& shown) {
-      rows.push_back({z, series, wrong(shown), robust, "% of the picture wrong"});
+      rows.add(z, series, wrong(shown), robust, "% of the picture wrong");
     };
     const Settings none = fragments(Clipping::none);
     add("clipping = none", picture_with(z, none, run));
@@ -66,13 +60,7 @@ StabilityPicture picture(double z) {
   return picture;
 }
 
-constexpr std::array frames{1.0, -0.5, -1.0, -3.0};
-
 }  // namespace
-
-static constexpr StabilitySeries near_plane_clipping_series[]{
-    {.names = "clipping = none|*", .title = "wrong pixels of the picture", .unit = "%"},
-};
 
 extern const StabilityExperiment near_plane_clipping{
     .key = "near-plane-clipping",
@@ -87,9 +75,9 @@ extern const StabilityExperiment near_plane_clipping{
         "at z = 0 to infinity. Only cutting the triangle at the near plane keeps its visible part right.",
     .safe = "Triangles wholly before the near plane.",
     .window = {near, everywhere},
-    .series = near_plane_clipping_series,
+    .series = {{.names = "clipping = none|*", .title = "wrong pixels of the picture", .unit = "%"}},
     .add_rows = measure,
     .picture = picture,
-    .frames = frames};
+    .frames = {1.0, -0.5, -1.0, -3.0}};
 
 }  // namespace ps::stability::near_plane_clipping

@@ -71,18 +71,12 @@ static void measure_normal_under_scale(const StabilityRun& run, Rows& rows) {
       naive = std::max(naive, tilt(model));
       robust = std::max(robust, tilt(inverse));
     }
-    rows.push_back({scale, "all slopes", naive, robust, "degrees"});
+    rows.add(scale, "all slopes", naive, robust, "degrees");
     const LambertError wrong = lambert_error(transform, model, run), right = lambert_error(transform, inverse, run);
-    rows.push_back({scale, "diffuse light of a ball", wrong.rmse, right.rmse, "RMSE, levels"});
-    rows.push_back({scale, "ball lit or not", wrong.flips, right.flips, "% of its places differ"});
+    rows.add(scale, "diffuse light of a ball", wrong.rmse, right.rmse, "RMSE, levels");
+    rows.add(scale, "ball lit or not", wrong.flips, right.flips, "% of its places differ");
   }
 }
-
-static constexpr StabilitySeries normal_under_scale_series[]{
-    {.names = "all slopes", .title = "largest error of the normal", .unit = "degrees"},
-    {.names = "diffuse light*", .title = "error of the diffuse light (RMSE)", .unit = "levels of 255"},
-    {.names = "ball lit*", .title = "places of the ball on the wrong side of the terminator", .unit = "%"},
-};
 
 extern const StabilityExperiment normal_under_scale{
     .key = "normal-under-scale",
@@ -97,7 +91,9 @@ extern const StabilityExperiment normal_under_scale{
                    "transpose keeps normal and plane perpendicular.",
     .safe = "Uniform scales only.",
     .window = {1, 1},
-    .series = normal_under_scale_series,
+    .series = {{.names = "all slopes", .title = "largest error of the normal", .unit = "degrees"},
+               {.names = "diffuse light*", .title = "error of the diffuse light (RMSE)", .unit = "levels of 255"},
+               {.names = "ball lit*", .title = "places of the ball on the wrong side of the terminator", .unit = "%"}},
     .add_rows = measure_normal_under_scale};
 
 }  // namespace ps::stability::normal_under_scale

@@ -1,9 +1,7 @@
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <numeric>
 
-#include "options/renderer_kind.h"
 #include "study/stability/inner_pixels.h"
 #include "study/stability/plain_scene.h"
 
@@ -48,11 +46,8 @@ class Judge {
   /// Percentage of covered pixels that show one triangle although another one lies before it, by more than depths in
   /// float are rounded.
   double wrong(Visibility visibility, const std::vector<std::size_t>& order) const {
-    Settings settings;
-    settings.renderer = renderer_for(PictureWay::fragments);
+    Settings settings = unlit_fragments();
     settings.visibility = visibility;
-    settings.lighting = false;
-    settings.backface_culling = false;
     const Shown drawn = shown(order, settings);
     constexpr float rounding = 1e-5f;  // of depths, relative
     double covered = 0, wrong = 0;
@@ -145,13 +140,13 @@ void add_bars(Rows& rows, const StabilityRun& run) {
     worst = std::max(worst, wrong);
   } while (std::next_permutation(order.begin(), order.end()));
   const double robust = of_bars.wrong(Visibility::depth_buffer);
-  rows.push_back({3, "three bars, best order", best, robust, unit});
-  rows.push_back({3, "three bars, worst order", worst, robust, unit});
-  rows.push_back({3, "three bars, painter", of_bars.wrong(Visibility::painter), robust, unit});
+  rows.add(3, "three bars, best order", best, robust, unit);
+  rows.add(3, "three bars, worst order", worst, robust, unit);
+  rows.add(3, "three bars, painter", of_bars.wrong(Visibility::painter), robust, unit);
   const Sheets halves = bars(2);
   const Judge of_halves(halves, run);
-  rows.push_back({6, "three bars cut in two, painter", of_halves.wrong(Visibility::painter),
-                  of_halves.wrong(Visibility::depth_buffer), unit});
+  rows.add(6, "three bars cut in two, painter", of_halves.wrong(Visibility::painter),
+           of_halves.wrong(Visibility::depth_buffer), unit);
 }
 
 /// The mean over several pictures, since few triangles overlap by chance alone.
@@ -168,9 +163,9 @@ void add_random_triangles(Rows& rows, int count, const StabilityRun& run) {
     buffer += judge.wrong(Visibility::depth_buffer) / pictures;
   }
   const double knob = count;
-  rows.push_back({knob, "random triangles, painter", painter, buffer, unit});
-  rows.push_back({knob, "random triangles, by nearest vertex", nearest, buffer, unit});
-  rows.push_back({knob, "random triangles, by farthest vertex", farthest, buffer, unit});
+  rows.add(knob, "random triangles, painter", painter, buffer, unit);
+  rows.add(knob, "random triangles, by nearest vertex", nearest, buffer, unit);
+  rows.add(knob, "random triangles, by farthest vertex", farthest, buffer, unit);
 }
 
 void measure(const StabilityRun& run, Rows& rows) {
@@ -180,24 +175,13 @@ void measure(const StabilityRun& run, Rows& rows) {
 
 StabilityPicture picture(double) {
   StabilityPicture picture{.scene = "cgfs/depth"};
-  picture.robust.renderer = renderer_for(PictureWay::fragments);
-  picture.robust.lighting = false;
-  picture.robust.backface_culling = false;
+  picture.robust = unlit_fragments();
   picture.naive = picture.robust;
   picture.naive.visibility = Visibility::painter;
   return picture;
 }
 
-constexpr std::array frames{3.0};
-
 }  // namespace
-
-static constexpr StabilitySeries painters_cycle_series[]{
-    {.names = "three bars*", .title = "wrong pixels of three bars in a cycle", .unit = "% of covered pixels"},
-    {.names = "random triangles, painter|*",
-     .title = "wrong pixels of random triangles",
-     .unit = "% of covered pixels"},
-};
 
 extern const StabilityExperiment painters_cycle{
     .key = "painter-s-cycle",
@@ -211,9 +195,14 @@ extern const StabilityExperiment painters_cycle{
                    "near to far has no single depth for the sort. A depth buffer decides for each pixel.",
     .safe = "Sheets that have an order from far to near, such as one alone.",
     .window = {0, 1},
-    .series = painters_cycle_series,
+    .series = {{.names = "three bars*",
+                .title = "wrong pixels of three bars in a cycle",
+                .unit = "% of covered pixels"},
+               {.names = "random triangles, painter|*",
+                .title = "wrong pixels of random triangles",
+                .unit = "% of covered pixels"}},
     .add_rows = measure,
     .picture = picture,
-    .frames = frames};
+    .frames = {3.0}};
 
 }  // namespace ps::stability::painters_cycle

@@ -1,8 +1,5 @@
-#include <array>
-
 #include <fmt/format.h>
 
-#include "options/renderer_kind.h"
 #include "study/stability/shadow_map_ball.h"
 
 namespace ps::stability::peter_panning {
@@ -85,24 +82,23 @@ void measure(const StabilityRun& run, Rows& rows) {
     const double robust = places.contact_lost(half_texel);
     const std::string series = fmt::format("{} texels, sun at 10 degrees", size);
     for (const double bias : {0.01, 0.05, 0.1, 0.2, 0.4})
-      rows.push_back({bias, series, places.contact_lost({bias, 0, 1}), robust, unit});
-    rows.push_back(
-        {0, series + ", 5 x 5 taps, slope bias of 3.5 texels", places.contact_lost({0, 3.5, 5}), robust, unit});
-    rows.push_back(
-        {0, series + ", 5 x 5 taps on the receiver's plane",
-         places.contact_lost([](const ShadowMap& map, const Vec3d& point) { return sun_seen_by_plane(map, point, 5); }),
-         robust, unit});
+      rows.add(bias, series, places.contact_lost({bias, 0, 1}), robust, unit);
+    rows.add(0, series + ", 5 x 5 taps, slope bias of 3.5 texels", places.contact_lost({0, 3.5, 5}), robust, unit);
+    rows.add(
+        0, series + ", 5 x 5 taps on the receiver's plane",
+        places.contact_lost([](const ShadowMap& map, const Vec3d& point) { return sun_seen_by_plane(map, point, 5); }),
+        robust, unit);
     // The point is looked up above the floor by as much as half a texel's slope is deep (Holbein 2011, normal offset).
-    rows.push_back({0, series + ", receiver lifted by half a texel",
-                    places.contact_lost([](const ShadowMap& map, const Vec3d& point) {
-                      return sun_seen(map, point + BallOnFloor::up * (0.5 * texel_of(map)), BallOnFloor::up, {});
-                    }),
-                    robust, unit});
+    rows.add(0, series + ", receiver lifted by half a texel",
+             places.contact_lost([](const ShadowMap& map, const Vec3d& point) {
+               return sun_seen(map, point + BallOnFloor::up * (0.5 * texel_of(map)), BallOnFloor::up, {});
+             }),
+             robust, unit);
   }
   for (const int size : {256, 1024, 4096})
-    rows.push_back({0, fmt::format("{} texels, sun at 60 degrees, whole shadow", size),
-                    Places(60, size, places_for(size, 4), run).shadow_lost(half_texel), std::nan(""),
-                    "% of the floor around loses its shadow"});
+    rows.add(0, fmt::format("{} texels, sun at 60 degrees, whole shadow", size),
+             Places(60, size, places_for(size, 4), run).shadow_lost(half_texel), std::nan(""),
+             "% of the floor around loses its shadow");
 }
 
 /// The ball from near by, and a thin post. Fine triangles keep what the map holds close to what the eye sees.
@@ -131,17 +127,7 @@ light { type = directional  intensity = 0.75  direction = (-1, 0.35, -0.4) }
   return picture;
 }
 
-constexpr std::array biases{0.4, 0.2, 0.1, 0.05, 0.02};
-
 }  // namespace
-
-static constexpr StabilitySeries peter_panning_series[]{
-    {.names = "1024 texels, sun at 10 degrees|256 texels, sun at 10 degrees|4096 texels, sun at 10 degrees",
-     .title = "contact shadow that is lost",
-     .unit = "%"},
-    {.names = "*10 degrees, *", .title = "contact shadow that is lost by other methods", .unit = "%"},
-    {.names = "*whole shadow", .title = "floor around the object that loses its shadow", .unit = "%"},
-};
 
 extern const StabilityExperiment peter_panning{
     .key = "peter-panning",
@@ -156,9 +142,13 @@ extern const StabilityExperiment peter_panning{
                    "of half a texel only loses the jagged front of the shadow, which more texels make smaller.",
     .safe = "Biases far below the size of objects.",
     .window = {nowhere, 0.02},
-    .series = peter_panning_series,
+    .series = {{.names = "1024 texels, sun at 10 degrees|256 texels, sun at 10 degrees|4096 texels, sun at 10 degrees",
+                .title = "contact shadow that is lost",
+                .unit = "%"},
+               {.names = "*10 degrees, *", .title = "contact shadow that is lost by other methods", .unit = "%"},
+               {.names = "*whole shadow", .title = "floor around the object that loses its shadow", .unit = "%"}},
     .add_rows = measure,
     .picture = picture,
-    .frames = biases};
+    .frames = {0.4, 0.2, 0.1, 0.05, 0.02}};
 
 }  // namespace ps::stability::peter_panning

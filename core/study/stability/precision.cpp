@@ -1,5 +1,3 @@
-#include <array>
-
 #include "frame/display_frame.h"
 #include "image/metrics.h"
 #include "options/scene_settings.h"
@@ -39,11 +37,11 @@ void measure(const StabilityRun& run, Rows& rows) {
   for (const double epsilon : {1e-3, 1e-2, 1e-1}) {
     const Image<Rgb8> wide = levels(book(Precision::float64, epsilon));
     const Comparison naive = compare_channels(levels(book(Precision::float32, epsilon)), wide);
-    rows.push_back({epsilon, "float against double", differing(naive), differing(robust), "px of 360,000 differ"});
-    rows.push_back({epsilon, "float against double, size", naive.rmse, robust.rmse, "RMSE, levels"});
-    rows.push_back({epsilon, "float against double, largest", naive.max, robust.max, "levels"});
-    rows.push_back({epsilon, "the epsilons alone, in double", differing(compare_channels(wide, truth)), robust_alone,
-                    "px of 360,000 differ"});
+    rows.add(epsilon, "float against double", differing(naive), differing(robust), "px of 360,000 differ");
+    rows.add(epsilon, "float against double, size", naive.rmse, robust.rmse, "RMSE, levels");
+    rows.add(epsilon, "float against double, largest", naive.max, robust.max, "levels");
+    rows.add(epsilon, "the epsilons alone, in double", differing(compare_channels(wide, truth)), robust_alone,
+             "px of 360,000 differ");
   }
 }
 
@@ -55,17 +53,7 @@ StabilityPicture picture(double epsilon) {
   return picture;
 }
 
-constexpr std::array frames{1e-3, 1e-2, 1e-1};
-
 }  // namespace
-
-static constexpr StabilitySeries precision_series[]{
-    {.names = "float against double|the epsilons alone, in double",
-     .title = "pixels that differ",
-     .unit = "px of 360,000"},
-    {.names = "float against double, size", .title = "size of the differences (RMSE)", .unit = "levels of 255"},
-    {.names = "float against double, largest", .title = "largest difference", .unit = "levels of 255"},
-};
 
 extern const StabilityExperiment precision{
     .key = "precision",
@@ -80,9 +68,15 @@ extern const StabilityExperiment precision{
                    "makes the two more alike, and both less accurate.",
     .safe = "No epsilon: the offset gives the same picture in both but for a few pixels.",
     .window = nowhere_safe,
-    .series = precision_series,
+    .series = {{.names = "float against double|the epsilons alone, in double",
+                .title = "pixels that differ",
+                .unit = "px of 360,000"},
+               {.names = "float against double, size",
+                .title = "size of the differences (RMSE)",
+                .unit = "levels of 255"},
+               {.names = "float against double, largest", .title = "largest difference", .unit = "levels of 255"}},
     .add_rows = measure,
     .picture = picture,
-    .frames = frames};
+    .frames = {1e-3, 1e-2, 1e-1}};
 
 }  // namespace ps::stability::precision

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -126,9 +125,9 @@ void compare(Rows& rows, Method naive, std::optional<Method> robust, const std::
       off = b.off_surface();
       turned = b.turned;
     }
-    rows.push_back({distance, "hit or miss" + about, percent(a.wrong, rays), wrong, "% of rays wrong"});
-    rows.push_back({distance, "place" + about, a.off_surface(), off, "radii off the surface (rms)"});
-    rows.push_back({distance, "normal" + about, a.turned, turned, "degrees at most"});
+    rows.add(distance, "hit or miss" + about, percent(a.wrong, rays), wrong, "% of rays wrong");
+    rows.add(distance, "place" + about, a.off_surface(), off, "radii off the surface (rms)");
+    rows.add(distance, "normal" + about, a.turned, turned, "degrees at most");
   }
 }
 
@@ -152,15 +151,7 @@ StabilityPicture picture_ray_sphere(double distance) {
   return picture;
 }
 
-constexpr std::array frames{10.0, 100.0, 1000.0, 2000.0, 4100.0};
-
 }  // namespace
-
-static constexpr StabilitySeries ray_sphere_series[]{
-    {.names = "hit or miss|hit or miss*", .title = "rays with a wrong hit and rays with a wrong miss", .unit = "%"},
-    {.names = "place*", .title = "distance of hit points from the sphere (RMS)", .unit = "radii"},
-    {.names = "normal*", .title = "largest error of the normal", .unit = "degrees"},
-};
 
 extern const StabilityExperiment ray_sphere_cancellation{
     .key = "ray-sphere-cancellation",
@@ -176,9 +167,13 @@ extern const StabilityExperiment ray_sphere_cancellation{
                    "its own products is left, which grows with D.",
     .safe = "Up to 100 radii.",
     .window = {nowhere, 100},
-    .series = ray_sphere_series,
+    .series = {{.names = "hit or miss|hit or miss*",
+                .title = "rays with a wrong hit and rays with a wrong miss",
+                .unit = "%"},
+               {.names = "place*", .title = "distance of hit points from the sphere (RMS)", .unit = "radii"},
+               {.names = "normal*", .title = "largest error of the normal", .unit = "degrees"}},
     .add_rows = measure_ray_sphere_cancellation,
     .picture = picture_ray_sphere,
-    .frames = frames};
+    .frames = {10.0, 100.0, 1000.0, 2000.0, 4100.0}};
 
 }  // namespace ps::stability::ray_sphere_cancellation

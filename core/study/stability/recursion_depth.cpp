@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
@@ -84,17 +83,17 @@ static void measure_recursion_depth(const StabilityRun& run, Rows& rows) {
   for (const int depth : {0, 1, 2, 3, 4, 5, 6, 8}) {
     const Mirrors::Error naive = depth == enough ? robust : book.error(depth);
     const double knob = depth;
-    rows.push_back({knob, "book scene", naive.rmse, robust.rmse, levels});
-    rows.push_back({knob, "book scene, largest difference", naive.largest, robust.largest, "levels of 255"});
-    rows.push_back({knob, "book scene, pixels off by half a level", naive.off, robust.off, "% of pixels"});
-    rows.push_back({knob, "book scene, rays", naive.rays, robust.rays, "rays per pixel"});
+    rows.add(knob, "book scene", naive.rmse, robust.rmse, levels);
+    rows.add(knob, "book scene, largest difference", naive.largest, robust.largest, "levels of 255");
+    rows.add(knob, "book scene, pixels off by half a level", naive.off, robust.off, "% of pixels");
+    rows.add(knob, "book scene, rays", naive.rays, robust.rays, "rays per pixel");
   }
   for (const double reflective : {0.9, 0.99}) {
     Mirrors mirrors(all_mirrors(reflective), 200, run);
     const double most = mirrors.error(20).rmse;
     for (const int depth : {3, 8, 20})
-      rows.push_back({static_cast<double>(depth), fmt::format("every reflectivity {}", reflective),
-                      depth == 20 ? most : mirrors.error(depth).rmse, most, levels});
+      rows.add(depth, fmt::format("every reflectivity {}", reflective), depth == 20 ? most : mirrors.error(depth).rmse,
+               most, levels);
   }
 }
 
@@ -104,24 +103,6 @@ static StabilityPicture picture_recursion_depth(double depth) {
   picture.robust.reflection_depth = 8;
   return picture;
 }
-
-static constexpr std::array frames{0.0, 1.0, 2.0, 3.0, 5.0};
-
-static constexpr StabilitySeries recursion_depth_series[]{
-    {.names = "book scene|*",
-     .title = "error of the picture (RMSE)",
-     .unit = "levels of 255",
-     .between = Between::nothing},
-    {.names = "*largest difference",
-     .title = "largest error of a pixel",
-     .unit = "levels of 255",
-     .between = Between::nothing},
-    {.names = "*pixels off by half a level",
-     .title = "pixels off by half a level",
-     .unit = "%",
-     .between = Between::nothing},
-    {.names = "*rays", .title = "rays for each pixel", .unit = "rays", .between = Between::nothing},
-};
 
 extern const StabilityExperiment recursion_depth{
     .key = "recursion-depth",
@@ -136,9 +117,21 @@ extern const StabilityExperiment recursion_depth{
                    "reflectivity of 0.5 it falls below half a level at depth 8.",
     .safe = "From a depth of 3 for this scene: an error of 0.4 levels (RMS).",
     .window = {3, everywhere},
-    .series = recursion_depth_series,
+    .series = {{.names = "book scene|*",
+                .title = "error of the picture (RMSE)",
+                .unit = "levels of 255",
+                .between = Between::nothing},
+               {.names = "*largest difference",
+                .title = "largest error of a pixel",
+                .unit = "levels of 255",
+                .between = Between::nothing},
+               {.names = "*pixels off by half a level",
+                .title = "pixels off by half a level",
+                .unit = "%",
+                .between = Between::nothing},
+               {.names = "*rays", .title = "rays for each pixel", .unit = "rays", .between = Between::nothing}},
     .add_rows = measure_recursion_depth,
     .picture = picture_recursion_depth,
-    .frames = frames};
+    .frames = {0.0, 1.0, 2.0, 3.0, 5.0}};
 
 }  // namespace ps::stability::recursion_depth

@@ -1,5 +1,3 @@
-#include <array>
-
 #include "options/choice_key.h"
 #include "render/render.h"
 #include "scene/scene_file.h"
@@ -50,19 +48,13 @@ void measure_reflection_self_hit(const StabilityRun& run, Rows& rows) {
     for (const double epsilon : {1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1}) {
       Settings naive = picture_reflection_self_hit(epsilon).naive;
       naive.precision = precision;
-      rows.push_back({epsilon, std::string(choice_key<&Settings::precision>(precision)),
-                      self_reflections(scene, naive, run), robust_wrong, "% of ground pixels that reflect the ground"});
+      rows.add(epsilon, std::string(choice_key<&Settings::precision>(precision)), self_reflections(scene, naive, run),
+               robust_wrong, "% of ground pixels that reflect the ground");
     }
   }
 }
 
-constexpr std::array frames{1e-4, 1e-3, 1e-2, 1e-1};
-
 }  // namespace
-
-static constexpr StabilitySeries reflection_self_hit_series[]{
-    {.names = "float|*", .title = "ground pixels that reflect the ground", .unit = "%"},
-};
 
 extern const StabilityExperiment reflection_self_hit{
     .key = "reflection-self-hit",
@@ -77,9 +69,9 @@ extern const StabilityExperiment reflection_self_hit{
                    "error for long. The book's 0.001 is enough in double and not in float.",
     .safe = "0.1 in float; 0.001 in double.",
     .window = {0.1, everywhere},
-    .series = reflection_self_hit_series,
+    .series = {{.names = "float|*", .title = "ground pixels that reflect the ground", .unit = "%"}},
     .add_rows = measure_reflection_self_hit,
     .picture = picture_reflection_self_hit,
-    .frames = frames};
+    .frames = {1e-4, 1e-3, 1e-2, 1e-1}};
 
 }  // namespace ps::stability::reflection_self_hit

@@ -21,13 +21,9 @@ static void measure_refraction_total_internal(const StabilityRun& run, Rows& row
       const double cosine = left < 0 ? std::sqrt(1 - sine_squared) : std::sqrt(left);
       robust += std::isnan(cosine) ? 1 : 0;
     }
-    rows.push_back({index, "leaving the glass", 100.0 * naive / rays, 100.0 * robust / rays, "% NaN"});
+    rows.add(index, "leaving the glass", 100.0 * naive / rays, 100.0 * robust / rays, "% NaN");
   }
 }
-
-static constexpr StabilitySeries refraction_total_internal_series[]{
-    {.names = "*", .title = "refracted directions that are not numbers", .unit = "%"},
-};
 
 extern const StabilityExperiment refraction_total_internal{
     .key = "refraction-total-internal",
@@ -42,7 +38,7 @@ extern const StabilityExperiment refraction_total_internal{
                    "exceed 1. Its cosine is then the root of a negative number.",
     .safe = "Index 1.",
     .window = {1, 1},
-    .series = refraction_total_internal_series,
+    .series = {{.names = "*", .title = "refracted directions that are not numbers", .unit = "%"}},
     .add_rows = measure_refraction_total_internal};
 
 }  // namespace ps::stability::refraction_total_internal

@@ -1,7 +1,7 @@
 #pragma once
-#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ps {
 
@@ -36,8 +36,8 @@ struct StabilitySeries {
   std::string_view title;  ///< the quantity, as the title of an axis: "lit pixels in their own shadow"
   std::string_view unit;   ///< "%"
   Better better = Better::lower;
-  std::string_view knob{};            ///< if it is another than the experiment's: title and unit
-  std::span<const KnobCase> cases{};  ///< all values of the knob, if they are not quantities
+  std::string_view knob{};        ///< if it is another than the experiment's: title and unit
+  std::vector<KnobCase> cases{};  ///< all values of the knob, if they are not quantities
   Between between = Between::values;
   std::string_view naive{}, robust{};  ///< the two methods, if they are others than the experiment's
 };

@@ -7,8 +7,6 @@
 
 #include <glm/common.hpp>
 
-#include "options/renderer_kind.h"
-
 namespace ps::stability {
 namespace {
 

@@ -1,9 +1,5 @@
 #include "study/stability/shadow_floor.h"
 
-#include "options/renderer_kind.h"
-
-#include <array>
-
 #include <fmt/format.h>
 
 namespace ps::stability {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "options/renderer_kind.h"
 #include "study/stability/shadow_map_ball.h"
 
 namespace ps::stability::shadow_map_acne {
@@ -62,17 +61,17 @@ void measure_acne(const StabilityRun& run, Rows& rows) {
       const double robust = acne(ball, map, {0, slope_bias_of_floors(1), 1}, run);
       const std::string series = fmt::format("{} texels, sun at {} degrees", size, elevation);
       for (const double bias : {0.0, 0.001, 0.01, 0.05}) {
-        rows.push_back({bias, series, acne(ball, map, {bias, 0, 1}, run), robust, unit});
+        rows.add(bias, series, acne(ball, map, {bias, 0, 1}, run), robust, unit);
         const double depth_of_texel = texel_of(map) / std::tan(elevation * pi / 180);
-        rows.push_back({bias, series + ", closed form: 1/2 - bias / depth of a texel",
-                        100 * std::max(0.0, 0.5 - bias / depth_of_texel), std::nan(""), unit});
+        rows.add(bias, series + ", closed form: 1/2 - bias / depth of a texel",
+                 100 * std::max(0.0, 0.5 - bias / depth_of_texel), std::nan(""), unit);
       }
       if (size != 1024 || elevation != 10) continue;
       for (const double texels : {0.125, 0.25, 0.375, 0.5})
-        rows.push_back({texels, series + ", slope bias (texels)", acne(ball, map, {0, texels, 1}, run), robust, unit});
+        rows.add(texels, series + ", slope bias (texels)", acne(ball, map, {0, texels, 1}, run), robust, unit);
     }
   const auto [naive, robust] = acne_on_roof(1024, {slope_bias_of_floors(1), slope_bias_of_all(1)}, run);
-  rows.push_back({0.5, "1024 texels, leaning roof, slope bias (texels)", naive, robust, "% of lit roof dark"});
+  rows.add(0.5, "1024 texels, leaning roof, slope bias (texels)", naive, robust, "% of lit roof dark");
 }
 
 void measure_filter(const StabilityRun& run, Rows& rows) {
@@ -81,10 +80,9 @@ void measure_filter(const StabilityRun& run, Rows& rows) {
   for (const int taps : {1, 3, 5, 7}) {
     const double naive = acne(ball, map, {0, 1, taps}, run);
     const double plane = acne(ball, map, run, [&](const Vec3d& point) { return sun_seen_by_plane(map, point, taps); });
-    rows.push_back({static_cast<double>(taps), "sun at 30 degrees", naive,
-                    acne(ball, map, {0, slope_bias_of_floors(taps), taps}, run), "% of lit floor dark"});
-    rows.push_back({static_cast<double>(taps), "sun at 30 degrees, taps on the receiver's plane", naive, plane,
-                    "% of lit floor dark"});
+    rows.add(taps, "sun at 30 degrees", naive, acne(ball, map, {0, slope_bias_of_floors(taps), taps}, run),
+             "% of lit floor dark");
+    rows.add(taps, "sun at 30 degrees, taps on the receiver's plane", naive, plane, "% of lit floor dark");
   }
 }
 
@@ -108,19 +106,7 @@ StabilityPicture picture_acne(double bias) {
   return picture;
 }
 
-constexpr std::array biases{0.0, 0.01, 0.05, 0.2};
-constexpr std::array taps{7.0, 5.0, 3.0, 1.0};
-
 }  // namespace
-
-static constexpr StabilitySeries shadow_map_acne_series[]{
-    {.names = "1024 texels, sun at 10 degrees|*", .title = "lit floor that is dark", .unit = "%"},
-    {.names = "*slope bias (texels)", .title = "lit floor that is dark", .unit = "%", .knob = "slope bias (texels)"},
-    {.names = "1024 texels, leaning roof*",
-     .title = "lit roof that is dark",
-     .unit = "%",
-     .knob = "slope bias (texels)"},
-};
 
 extern const StabilityExperiment shadow_map_acne{
     .key = "shadow-map-acne",
@@ -137,14 +123,18 @@ extern const StabilityExperiment shadow_map_acne{
         "the slope runs along the map's axes, as on a floor; 0.71 texels are enough for any surface.",
     .safe = "A slope bias of half a texel and 1/256 on floors, of 0.71 texels and 1/256 on any surface.",
     .window = {0.05, everywhere},
-    .series = shadow_map_acne_series,
+    .series = {{.names = "1024 texels, sun at 10 degrees|*", .title = "lit floor that is dark", .unit = "%"},
+               {.names = "*slope bias (texels)",
+                .title = "lit floor that is dark",
+                .unit = "%",
+                .knob = "slope bias (texels)"},
+               {.names = "1024 texels, leaning roof*",
+                .title = "lit roof that is dark",
+                .unit = "%",
+                .knob = "slope bias (texels)"}},
     .add_rows = measure_acne,
     .picture = picture_acne,
-    .frames = biases};
-
-static constexpr StabilitySeries pcf_one_tap_bias_series[]{
-    {.names = "*", .title = "lit floor that is dark", .unit = "%", .between = Between::nothing},
-};
+    .frames = {0.0, 0.01, 0.05, 0.2}};
 
 extern const StabilityExperiment pcf_one_tap_bias{
     .key = "pcf-one-tap-bias",
@@ -160,9 +150,9 @@ extern const StabilityExperiment pcf_one_tap_bias{
                    "k taps on each side needs a slope bias of k + 1/2 texels.",
     .safe = "One tap.",
     .window = {1, 1},
-    .series = pcf_one_tap_bias_series,
+    .series = {{.names = "*", .title = "lit floor that is dark", .unit = "%", .between = Between::nothing}},
     .add_rows = measure_filter,
     .picture = picture_filter,
-    .frames = taps};
+    .frames = {7.0, 5.0, 3.0, 1.0}};
 
 }  // namespace ps::stability::shadow_map_acne

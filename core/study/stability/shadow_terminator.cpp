@@ -1,8 +1,7 @@
 #include <algorithm>
-#include <array>
-#include <memory>
 
 #include "scene/generate/uv_sphere.h"
+#include "study/stability/plain_scene.h"
 #include "study/stability/shaded_ball.h"
 
 namespace ps::stability::shadow_terminator {
@@ -14,16 +13,10 @@ constexpr int terminator_lights = 20;  // each has a bit of the shadow channel
 /// directional lights from anywhere.
 Scene terminator_scene(Mesh ball, std::uint32_t seed) {
   constexpr double far_away = 100;
-  Scene scene;
+  Scene scene = plain_scene("ball", std::move(ball));
   scene.camera.position = {0, 0, -far_away};
   scene.camera.projection_plane_d = far_away;
   scene.camera.viewport_width = scene.camera.viewport_height = 2;
-  scene.materials = Part<std::vector<Material>>({Material{}});
-  ball.materials = {0};
-  Geometry geometry;
-  geometry.meshes = {std::make_shared<const Mesh>(std::move(ball))};
-  geometry.objects.push_back({"ball", Instance{}});
-  scene.geometry = Part<Geometry>(std::move(geometry));
   Random random(seed);
   std::vector<Light> lights;
   for (int i = 0; i < terminator_lights; ++i) {
@@ -94,16 +87,12 @@ TerminatorShares terminator_shares(const BallCut& cut, const StabilityRun& run) 
 void measure_terminator(const StabilityRun& run, Rows& rows) {
   for (const BallCut& cut : {BallCut{12, 6}, BallCut{20, 10}, BallCut{64, 32}, BallCut{256, 128}}) {
     const TerminatorShares shares = terminator_shares(cut, run);
-    rows.push_back({cut.triangles(), "ball with smooth normals", shares.dark, shares.still_dark,
-                    "% of pixels lit by their normal that are dark"});
+    rows.add(cut.triangles(), "ball with smooth normals", shares.dark, shares.still_dark,
+             "% of pixels lit by their normal that are dark");
   }
 }
 
 }  // namespace
-
-static constexpr StabilitySeries shadow_terminator_series[]{
-    {.names = "*", .title = "dark pixels among those lit by their normal", .unit = "%"},
-};
 
 extern const StabilityExperiment shadow_terminator{
     .key = "shadow-terminator",
@@ -118,7 +107,7 @@ extern const StabilityExperiment shadow_terminator{
                    "into the mesh. The share of such points falls with the angle between neighbouring triangles.",
     .safe = "Fine meshes: a quarter of a percent at 65,000 triangles.",
     .window = {65000, everywhere},
-    .series = shadow_terminator_series,
+    .series = {{.names = "*", .title = "dark pixels among those lit by their normal", .unit = "%"}},
     .add_rows = measure_terminator};
 
 }  // namespace ps::stability::shadow_terminator

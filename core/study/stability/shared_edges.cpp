@@ -1,11 +1,84 @@
+#include <array>
 #include <numeric>
 
+#include "raster/base/edge_function.h"
 #include "raster/clear/coverage/walk.h"
-#include "study/stability/edge_methods.h"
 #include "study/stability/jittered_mesh.h"
+#include "study/stability/support.h"
 
 namespace ps::stability::shared_edges {
 namespace {
+
+/// Ways to ask whether a triangle covers a sample, for triangles in pixels that share edges. Each vertex is a float as
+/// the projection left it.
+using Corners = std::array<Vec2f, 3>;
+
+/// Does an edge from a to b own the samples on it? Rows grow downwards.
+bool owned(const Vec2f& a, const Vec2f& b) { return b.y - a.y < 0 || (b.y == a.y && b.x > a.x); }
+bool inside(float value, const Vec2f& a, const Vec2f& b) { return value > 0 || (value == 0 && owned(a, b)); }
+
+/// Calls edge(a, b) for the three edges in the triangle's own order, turned so that inside is positive.
+template <class Edge>
+bool all_edges(Corners p, Edge&& edge) {
+  const Vec2f u = p[1] - p[0], v = p[2] - p[0];
+  if (u.x * v.y - u.y * v.x < 0) std::swap(p[1], p[2]);
+  return edge(p[0], p[1]) && edge(p[1], p[2]) && edge(p[2], p[0]);
+}
+
+float relative_value(const Vec2f& a, const Vec2f& b, const Vec2f& s) {
+  return (b.x - a.x) * (s.y - a.y) - (b.y - a.y) * (s.x - a.x);
+}
+
+bool covers_relative(const Corners& p, const Vec2f& s) {
+  return all_edges(p, [&](const Vec2f& a, const Vec2f& b) { return inside(relative_value(a, b, s), a, b); });
+}
+/// The same without a rule for samples on the edge: all of them are inside, or none.
+bool covers_inclusive(const Corners& p, const Vec2f& s) {
+  return all_edges(p, [&](const Vec2f& a, const Vec2f& b) { return relative_value(a, b, s) >= 0; });
+}
+bool covers_exclusive(const Corners& p, const Vec2f& s) {
+  return all_edges(p, [&](const Vec2f& a, const Vec2f& b) { return relative_value(a, b, s) > 0; });
+}
+/// Weights u and v of two vertices by Cramer's rule, the third one's from 1 - u - v; none may be negative.
+bool covers_barycentric(const Corners& p, const Vec2f& s) {
+  const Vec2f e1 = p[1] - p[0], e2 = p[2] - p[0], to = s - p[0];
+  const float area = e1.x * e2.y - e1.y * e2.x;
+  const float u = (to.x * e2.y - to.y * e2.x) / area, v = (e1.x * to.y - e1.y * to.x) / area;
+  return u >= 0 && v >= 0 && 1 - u - v >= 0;
+}
+bool covers_canonical(const Corners& p, const Vec2f& s) {
+  return all_edges(p, [&](const Vec2f& a, const Vec2f& b) {
+    const bool turn = b.x < a.x || (b.x == a.x && b.y < a.y);
+    return inside(turn ? -relative_value(b, a, s) : relative_value(a, b, s), a, b);
+  });
+}
+/// A x + B y + C: the same numbers for both triangles, so consistent, but C is large far from the origin.
+bool covers_absolute(const Corners& p, const Vec2f& s) {
+  return all_edges(p, [&](const Vec2f& a, const Vec2f& b) {
+    const float A = a.y - b.y, B = b.x - a.x, C = a.x * b.y - a.y * b.x;
+    return inside(A * s.x + B * s.y + C, a, b);
+  });
+}
+/// From the triangle's box to the sample by additions.
+bool covers_stepped(const Corners& p, const Vec2f& s) {
+  const float x0 = std::floor(std::min({p[0].x, p[1].x, p[2].x})) + 0.5f;
+  const float y0 = std::floor(std::min({p[0].y, p[1].y, p[2].y})) + 0.5f;
+  return all_edges(p, [&](const Vec2f& a, const Vec2f& b) {
+    float value = relative_value(a, b, {x0, y0});
+    const float dx = b.x - a.x, dy = b.y - a.y;
+    for (float y = y0; y < s.y; y += 1) value += dx;
+    for (float x = x0; x < s.x; x += 1) value -= dy;
+    return inside(value, a, b);
+  });
+}
+/// Vertices rounded to `bits` after the point, edge values in 64-bit integers.
+template <int bits>
+bool covers_fixed(const Corners& p, const Vec2f& s) {
+  const raster::CoverageGrid grid{bits, FillRule::top_left, {0.5, 0.5}};
+  const auto edges = raster::make_edges(
+      {raster::to_fixed(p[0], bits), raster::to_fixed(p[1], bits), raster::to_fixed(p[2], bits)}, grid);
+  return edges && edges->inside(edges->at(static_cast<int>(s.x), static_cast<int>(s.y)));
+}
 
 using raster::CoverageChoice;
 using raster::FixedPoint;
@@ -22,8 +95,8 @@ struct Tally {
 };
 
 void add_rows(Rows& rows, double knob, const std::string& series, const Tally& naive, const Tally& robust) {
-  rows.push_back({knob, series + ", holes", naive.holes, robust.holes, "per million edges"});
-  rows.push_back({knob, series + ", doubles", naive.doubles, robust.doubles, "per million edges"});
+  rows.add(knob, series + ", holes", naive.holes, robust.holes, "per million edges");
+  rows.add(knob, series + ", doubles", naive.doubles, robust.doubles, "per million edges");
 }
 
 template <class Corners>
@@ -172,17 +245,11 @@ void measure_adversarial(const StabilityRun& run, Rows& rows) {
        {Place{10, 0, 400000, ""}, {100, 0, 100000, ""}, {1000, 0, 50000, ""}, {10, 16000, 1200000, " at 16,000 px"}})
     aim_edges(rows, place, run);
   for (const Method& method : methods)
-    rows.push_back({15, method.name + ", random mesh", wrong_in_random_mesh(method.naive, run),
-                    wrong_in_random_mesh(method.robust, run), "holes and doubles, px of 429,025"});
+    rows.add(15, method.name + ", random mesh", wrong_in_random_mesh(method.naive, run),
+             wrong_in_random_mesh(method.robust, run), "holes and doubles, px of 429,025");
 }
 
 }  // namespace
-
-static constexpr StabilitySeries fill_rule_adversarial_series[]{
-    {.names = "float, own order, holes|*holes", .title = "samples that no triangle owns", .unit = "per million edges"},
-    {.names = "*doubles", .title = "samples that both triangles own", .unit = "per million edges"},
-    {.names = "*random mesh", .title = "holes and doubles of a random mesh", .unit = "px of 429,025"},
-};
 
 extern const StabilityExperiment fill_rule_adversarial{
     .key = "fill-rule-adversarial",
@@ -197,7 +264,11 @@ extern const StabilityExperiment fill_rule_adversarial{
         "both or inside both. Random meshes hardly ever show it, whatever the method: edges have to be aimed.",
     .safe = "Nowhere for edges that pass a sample within an ulp.",
     .window = nowhere_safe,
-    .series = fill_rule_adversarial_series,
+    .series = {{.names = "float, own order, holes|*holes",
+                .title = "samples that no triangle owns",
+                .unit = "per million edges"},
+               {.names = "*doubles", .title = "samples that both triangles own", .unit = "per million edges"},
+               {.names = "*random mesh", .title = "holes and doubles of a random mesh", .unit = "px of 429,025"}},
     .add_rows = measure_adversarial};
 
 }  // namespace ps::stability::shared_edges

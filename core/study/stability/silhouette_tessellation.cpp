@@ -1,9 +1,7 @@
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
-#include "options/renderer_kind.h"
 #include "raster/setup/tessellate.h"
 #include "study/stability/support.h"
 
@@ -74,13 +72,13 @@ void measure(const StabilityRun&, Rows& rows) {
     const Outline program = outline_of(radius, half_a_pixel);
     for (const int segments : {10, 20, 45, 100}) {
       const Outline fixed = outline_of(radius, error_for(radius, segments));
-      rows.push_back({fixed.segments, fmt::format("radius {} px", radius), fixed.deviation, program.deviation, unit});
-      rows.push_back({fixed.segments, fmt::format("closed form: R (1 - cos(pi / n)), radius {} px", radius),
-                      chord_error(radius, segments), std::nan(""), unit});
+      rows.add(fixed.segments, fmt::format("radius {} px", radius), fixed.deviation, program.deviation, unit);
+      rows.add(fixed.segments, fmt::format("closed form: R (1 - cos(pi / n)), radius {} px", radius),
+               chord_error(radius, segments), std::nan(""), unit);
     }
     const double enough = std::ceil(pi / std::acos(1 - half_a_pixel / radius));
-    rows.push_back({radius, "segments for half a pixel, by radius: closed form beside the program's", enough,
-                    program.segments, "segments"});
+    rows.add(radius, "segments for half a pixel, by radius: closed form beside the program's", enough, program.segments,
+             "segments");
   }
 }
 
@@ -99,20 +97,7 @@ StabilityPicture picture(double segments) {
   return picture;
 }
 
-constexpr std::array frames{7.0, 10.0, 20.0, 45.0};
-
 }  // namespace
-
-static constexpr StabilitySeries silhouette_tessellation_series[]{
-    {.names = "radius 100 px|radius*|*", .title = "distance of the outline from the circle", .unit = "px"},
-    {.names = "segments for half a pixel*",
-     .title = "segments that half a pixel of error asks for",
-     .unit = "segments",
-     .better = Better::neither,
-     .knob = "radius of the ball (px)",
-     .naive = "closed form",
-     .robust = "the program's"},
-};
 
 extern const StabilityExperiment silhouette_tessellation{
     .key = "silhouette-tessellation",
@@ -127,9 +112,16 @@ extern const StabilityExperiment silhouette_tessellation{
                    "the screen. The number of segments that are enough follows from that radius and the visible error.",
     .safe = "100 segments up to a radius of 1,000 pixels.",
     .window = {100, everywhere},
-    .series = silhouette_tessellation_series,
+    .series = {{.names = "radius 100 px|radius*|*", .title = "distance of the outline from the circle", .unit = "px"},
+               {.names = "segments for half a pixel*",
+                .title = "segments that half a pixel of error asks for",
+                .unit = "segments",
+                .better = Better::neither,
+                .knob = "radius of the ball (px)",
+                .naive = "closed form",
+                .robust = "the program's"}},
     .add_rows = measure,
     .picture = picture,
-    .frames = frames};
+    .frames = {7.0, 10.0, 20.0, 45.0}};
 
 }  // namespace ps::stability::silhouette_tessellation

@@ -89,8 +89,8 @@ void measure_false_miss(const StabilityRun& run, Rows& rows) {
     }
     const char* names[] = {"near <= far", "near < far", "near <= far + 1 ulp", "near <= far + 2 ulps"};
     for (std::size_t i = 0; i < missed_by.size(); ++i)
-      rows.push_back({static_cast<double>(dimensions), names[i], per_million(missed_by[i], met), per_million(lost, met),
-                      "false misses per million"});
+      rows.add(dimensions, names[i], per_million(missed_by[i], met), per_million(lost, met),
+               "false misses per million");
   }
 }
 
@@ -160,7 +160,7 @@ void measure_nan_slab(const StabilityRun&, Rows& rows) {
     });
   };
   const auto add = [&](double knob, const char* series, const PlaneRays& rays, const auto& combine) {
-    rows.push_back({knob, series, missed(rays, combine), missed(rays, robust), "% of touched boxes missed"});
+    rows.add(knob, series, missed(rays, combine), missed(rays, robust), "% of touched boxes missed");
   };
   add(0, "max(t0, near), in the planes of two sides", {true, true, 2}, new_first);
   add(0, "max(t0, near), in the plane of one side", {}, new_first);
@@ -171,14 +171,6 @@ void measure_nan_slab(const StabilityRun&, Rows& rows) {
 }
 
 }  // namespace
-
-static constexpr KnobCase slab_test_false_miss_cases[]{{3, "solid box"}, {2, "rectangle"}, {1, "line"}};
-static constexpr StabilitySeries slab_test_false_miss_series[]{
-    {.names = "near <= far|*",
-     .title = "boxes missed by rays that meet them",
-     .unit = "per million",
-     .cases = slab_test_false_miss_cases},
-};
 
 extern const StabilityExperiment slab_test_false_miss{
     .key = "slab-test-false-miss",
@@ -192,12 +184,11 @@ extern const StabilityExperiment slab_test_false_miss{
                    "is rounded twice. The flatter the box, the more of its rays do.",
     .safe = "Nowhere for boxes that touch.",
     .window = nowhere_safe,
-    .series = slab_test_false_miss_series,
+    .series = {{.names = "near <= far|*",
+                .title = "boxes missed by rays that meet them",
+                .unit = "per million",
+                .cases = {{3, "solid box"}, {2, "rectangle"}, {1, "line"}}}},
     .add_rows = measure_false_miss};
-
-static constexpr StabilitySeries zero_inf_nan_slab_series[]{
-    {.names = "*", .title = "touched boxes that are missed", .unit = "%"},
-};
 
 extern const StabilityExperiment zero_inf_nan_slab{
     .key = "0-inf-nan-slab",
@@ -212,7 +203,7 @@ extern const StabilityExperiment zero_inf_nan_slab{
                    "which boxes are lost.",
     .safe = "Directions without a zero component.",
     .window = nowhere_safe,
-    .series = zero_inf_nan_slab_series,
+    .series = {{.names = "*", .title = "touched boxes that are missed", .unit = "%"}},
     .add_rows = measure_nan_slab};
 
 }  // namespace ps::stability::slab_tests

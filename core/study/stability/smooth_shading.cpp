@@ -1,9 +1,6 @@
-#include <array>
-
 #include <fmt/format.h>
 
 #include "math/unit.h"
-#include "options/renderer_kind.h"
 #include "scene/generate/uv_sphere.h"
 #include "study/stability/shaded_ball.h"
 
@@ -22,12 +19,12 @@ void measure_gouraud(const StabilityRun& run, Rows& rows) {
       const KeptPeaks naive = kept_peaks(mesh, exponent, gouraud, lights, run);
       const KeptPeaks robust = kept_peaks(mesh, exponent, phong, 20, run);
       const std::string name = fmt::format("exponent {}", exponent);
-      rows.push_back({cut.triangles(), name + ", mean", naive.mean, robust.mean, "of the peak is kept"});
-      rows.push_back({cut.triangles(), name + ", least", naive.least, robust.least, "of the peak is kept"});
+      rows.add(cut.triangles(), name + ", mean", naive.mean, robust.mean, "of the peak is kept");
+      rows.add(cut.triangles(), name + ", least", naive.least, robust.least, "of the peak is kept");
     }
     const double robust = errors.rmse(mesh, phong);
-    rows.push_back({cut.triangles(), "error, exponent 50", errors.rmse(mesh, gouraud), robust, "RMSE, levels"});
-    rows.push_back({cut.triangles(), "error, one light for a facet", errors.rmse(mesh, flat), robust, "RMSE, levels"});
+    rows.add(cut.triangles(), "error, exponent 50", errors.rmse(mesh, gouraud), robust, "RMSE, levels");
+    rows.add(cut.triangles(), "error, one light for a facet", errors.rmse(mesh, flat), robust, "RMSE, levels");
   }
 }
 
@@ -36,8 +33,8 @@ void measure_unnormalised(const StabilityRun& run, Rows& rows) {
     const Mesh mesh = make_uv_sphere({360 / degrees, 180 / degrees});
     for (const int exponent : {50, 500}) {
       const NormalErrors errors = normal_errors(mesh, exponent, run);
-      rows.push_back({static_cast<double>(degrees), fmt::format("ball, exponent {}", exponent), errors.as_interpolated,
-                      errors.renormalised, "levels of 255 (largest)"});
+      rows.add(degrees, fmt::format("ball, exponent {}", exponent), errors.as_interpolated, errors.renormalised,
+               "levels of 255 (largest)");
     }
   }
   for (const double degrees : {0.0, 5.0, 10.0, 20.0, 30.0, 60.0, 90.0}) {
@@ -45,11 +42,10 @@ void measure_unnormalised(const StabilityRun& run, Rows& rows) {
     const Vec3d a(0, 0, 1), b(std::sin(angle), 0, std::cos(angle)), middle = (a + b) * 0.5,
                                                                     brought_back = unit_of(middle);
     const double length = std::sqrt(dot(middle, middle));
-    rows.push_back(
-        {degrees, "half-way between two vertices", length, std::sqrt(dot(brought_back, brought_back)), "length"});
+    rows.add(degrees, "half-way between two vertices", length, std::sqrt(dot(brought_back, brought_back)), "length");
     // As fixed-function hardware took it. The program divides by both lengths, so its highlights only lose their shape.
-    rows.push_back({degrees, "(N.H)^50 without division by lengths", std::pow(dot(middle, brought_back), 50),
-                    std::pow(dot(brought_back, brought_back), 50), "of the peak is kept"});
+    rows.add(degrees, "(N.H)^50 without division by lengths", std::pow(dot(middle, brought_back), 50),
+             std::pow(dot(brought_back, brought_back), 50), "of the peak is kept");
   }
 }
 
@@ -80,22 +76,7 @@ StabilityPicture picture_unnormalised(double degrees) {
   return picture;
 }
 
-constexpr std::array triangles{128.0, 512.0, 2048.0, 8192.0, 32768.0};
-constexpr std::array angles{90.0, 60.0, 30.0, 20.0, 10.0};
-
 }  // namespace
-
-static constexpr StabilitySeries gouraud_highlight_series[]{
-    {.names = "exponent 50, mean|*mean",
-     .title = "part of the highlight's peak that is kept, mean",
-     .unit = "of 1",
-     .better = Better::higher},
-    {.names = "*least",
-     .title = "part of the highlight's peak that is kept, least",
-     .unit = "of 1",
-     .better = Better::higher},
-    {.names = "error, *", .title = "error of the ball (RMSE)", .unit = "levels of 255"},
-};
 
 extern const StabilityExperiment gouraud_highlight{
     .key = "gouraud-highlight",
@@ -110,16 +91,18 @@ extern const StabilityExperiment gouraud_highlight{
         "than the brightest vertex. A highlight between vertices is lost, and flashes when it meets one.",
     .safe = "Triangles much smaller than the highlight: 65,000 keep 98 % of a peak of exponent 50.",
     .window = {65000, everywhere},
-    .series = gouraud_highlight_series,
+    .series = {{.names = "exponent 50, mean|*mean",
+                .title = "part of the highlight's peak that is kept, mean",
+                .unit = "of 1",
+                .better = Better::higher},
+               {.names = "*least",
+                .title = "part of the highlight's peak that is kept, least",
+                .unit = "of 1",
+                .better = Better::higher},
+               {.names = "error, *", .title = "error of the ball (RMSE)", .unit = "levels of 255"}},
     .add_rows = measure_gouraud,
     .picture = picture_gouraud,
-    .frames = triangles};
-
-static constexpr StabilitySeries unnormalised_interpolated_normals_series[]{
-    {.names = "ball*", .title = "largest error of the ball", .unit = "levels of 255"},
-    {.names = "half-way*", .title = "length of the interpolated normal", .unit = "of 1", .better = Better::higher},
-    {.names = "(N.H)*", .title = "part of the highlight's peak that is kept", .unit = "of 1", .better = Better::higher},
-};
+    .frames = {128.0, 512.0, 2048.0, 8192.0, 32768.0}};
 
 extern const StabilityExperiment unnormalised_interpolated_normals{
     .key = "unnormalised-interpolated-normals",
@@ -136,9 +119,15 @@ extern const StabilityExperiment unnormalised_interpolated_normals{
         "lose 82 % of a peak of exponent 50 at 30 degrees.",
     .safe = "Up to 5 degrees: at most 6 of 255 levels.",
     .window = {0, 5},
-    .series = unnormalised_interpolated_normals_series,
+    .series =
+        {{.names = "ball*", .title = "largest error of the ball", .unit = "levels of 255"},
+         {.names = "half-way*", .title = "length of the interpolated normal", .unit = "of 1", .better = Better::higher},
+         {.names = "(N.H)*",
+          .title = "part of the highlight's peak that is kept",
+          .unit = "of 1",
+          .better = Better::higher}},
     .add_rows = measure_unnormalised,
     .picture = picture_unnormalised,
-    .frames = angles};
+    .frames = {90.0, 60.0, 30.0, 20.0, 10.0}};
 
 }  // namespace ps::stability::smooth_shading

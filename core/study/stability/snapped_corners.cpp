@@ -1,12 +1,9 @@
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <span>
 
 #include <fmt/format.h>
 
-#include "options/renderer_kind.h"
-#include "raster/base/edge_function.h"
 #include "scene/generate/uv_sphere.h"
 #include "study/stability/jittered_mesh.h"
 #include "study/stability/plain_scene.h"
@@ -14,24 +11,13 @@
 namespace ps::stability::snapped_corners {
 namespace {
 
-using raster::CoverageGrid;
-using raster::FixedPoint;
-
 /// Which triangle each pixel belongs to when vertices are rounded to this number of fractional bits.
 Image<int> owners(const FlatMesh& mesh, int side, int bits) {
   Image<int> owner(side, side, -1);
-  const CoverageGrid grid{bits, FillRule::top_left, {0.5, 0.5}};
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const auto p = mesh.corners(i);
-    const std::array<FixedPoint, 3> corner{raster::to_fixed(p[0], bits), raster::to_fixed(p[1], bits),
-                                           raster::to_fixed(p[2], bits)};
-    const auto edges = raster::make_edges(corner, grid);
-    if (!edges) continue;
-    const TileRect box = raster::sample_box(corner, grid);
-    for (int y = std::max(0, box.y0); y < std::min(side, box.y1); ++y)
-      for (int x = std::max(0, box.x0); x < std::min(side, box.x1); ++x)
-        if (edges->inside(edges->at(x, y))) owner.at(x, y) = static_cast<int>(i);
-  }
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    for_pixels_in_box(mesh, i, bits, FillRule::top_left, side, [&](const auto& edges, int x, int y) {
+      if (edges.inside(edges.at(x, y))) owner.at(x, y) = static_cast<int>(i);
+    });
   return owner;
 }
 
@@ -66,8 +52,7 @@ void measure_bits(const StabilityRun& run, Rows& rows) {
     const ByBits wrong = wrong_owners(leg, leg > 100 ? run.count(8) : 1, run);
     const std::string series = leg > 100 ? fmt::format("legs of {} px", leg) : fmt::format("legs of {:#.3g} px", leg);
     for (std::size_t k = 0; k < tried_bits.size(); ++k)
-      rows.push_back(
-          {static_cast<double>(tried_bits[k]), series, wrong[k], wrong.back(), "% of px given to another triangle"});
+      rows.add(tried_bits[k], series, wrong[k], wrong.back(), "% of px given to another triangle");
   }
 }
 
@@ -116,10 +101,8 @@ void measure_agreement(const StabilityRun& run, Rows& rows) {
   Agreement ball(80, run);
   const double robust = ball.differing(12);
   for (const int bits : {0, 2, 4, 8, 12})
-    rows.push_back(
-        {static_cast<double>(bits), "both renderers", ball.differing(bits), robust, "px with another triangle"});
-  rows.push_back(
-      {8, "half a pixel apart", ball.differing(8, SamplePosition::corner), robust, "px with another triangle"});
+    rows.add(bits, "both renderers", ball.differing(bits), robust, "px with another triangle");
+  rows.add(8, "half a pixel apart", ball.differing(8, SamplePosition::corner), robust, "px with another triangle");
   // Coarser and finer meshes, in shares of a ball that is equally large in each.
   constexpr std::array all_slices{20, 40, 80, 160};
   for (const int slices : std::span(all_slices).first(static_cast<std::size_t>(std::min(4, run.count(4))))) {
@@ -127,8 +110,7 @@ void measure_agreement(const StabilityRun& run, Rows& rows) {
     const std::string series = std::to_string(slices * slices) + " triangles, share of the ball";
     const double finest = percent(other.differing(12), other.covered());
     for (const int bits : {0, 2, 4, 8, 10, 12})
-      rows.push_back({static_cast<double>(bits), series, percent(other.differing(bits), other.covered()), finest,
-                      "% of px with another triangle"});
+      rows.add(bits, series, percent(other.differing(bits), other.covered()), finest, "% of px with another triangle");
   }
 }
 
@@ -144,10 +126,6 @@ constexpr std::array frames{0.0, 1.0, 2.0, 4.0, 8.0};
 
 }  // namespace
 
-static constexpr StabilitySeries sub_pixel_bits_series[]{
-    {.names = "legs of 2.60 px|*", .title = "pixels given to another triangle", .unit = "%"},
-};
-
 extern const StabilityExperiment sub_pixel_bits{
     .key = "sub-pixel-bits",
     .place = {Subject::coverage, 50},
@@ -161,15 +139,10 @@ extern const StabilityExperiment sub_pixel_bits{
         "the number of pixels that go to another triangle.",
     .safe = "8 bits: 0.2 % of the pixels with triangles of one pixel.",
     .window = {8, everywhere},
-    .series = sub_pixel_bits_series,
+    .series = {{.names = "legs of 2.60 px|*", .title = "pixels given to another triangle", .unit = "%"}},
     .add_rows = measure_bits,
     .picture = picture_bits,
-    .frames = frames};
-
-static constexpr StabilitySeries ray_vs_raster_agreement_series[]{
-    {.names = "both renderers|*", .title = "pixels with another triangle", .unit = "px"},
-    {.names = "*share of the ball", .title = "pixels of the ball with another triangle", .unit = "%"},
-};
+    .frames = {frames.begin(), frames.end()}};
 
 extern const StabilityExperiment ray_vs_raster_agreement{
     .key = "ray-vs-raster-agreement",
@@ -184,9 +157,10 @@ extern const StabilityExperiment ray_vs_raster_agreement{
         "between their sample positions does more harm than all rounding.",
     .safe = "8 bits and the same sample position.",
     .window = {8, everywhere},
-    .series = ray_vs_raster_agreement_series,
+    .series = {{.names = "both renderers|*", .title = "pixels with another triangle", .unit = "px"},
+               {.names = "*share of the ball", .title = "pixels of the ball with another triangle", .unit = "%"}},
     .add_rows = measure_agreement,
     .picture = picture_bits,
-    .frames = frames};
+    .frames = {frames.begin(), frames.end()}};
 
 }  // namespace ps::stability::snapped_corners

@@ -40,20 +40,12 @@ static void measure_srgb_averaging(const StabilityRun& run, Rows& rows) {
   for (const int white : {1, 5, 10, 24, 25, 50, 75, 90, 99}) {
     const double right = level_of(white / 100.0), knob = white;
     const Means mean = means(white);
-    rows.push_back(
-        {knob, "white over black", std::abs(mean.of_levels - right), std::abs(mean.of_light - right), "levels of 255"});
-    rows.push_back(
-        {knob, "white over black, level shown", std::round(mean.of_levels), std::round(mean.of_light), "level of 255"});
+    rows.add(knob, "white over black", std::abs(mean.of_levels - right), std::abs(mean.of_light - right),
+             "levels of 255");
+    rows.add(knob, "white over black, level shown", std::round(mean.of_levels), std::round(mean.of_light),
+             "level of 255");
   }
 }
-
-static constexpr StabilitySeries srgb_averaging_series[]{
-    {.names = "white over black", .title = "error of the level", .unit = "levels of 255"},
-    {.names = "white over black, level shown",
-     .title = "level that is shown",
-     .unit = "level of 255",
-     .better = Better::neither},
-};
 
 extern const StabilityExperiment srgb_averaging{
     .key = "srgb-averaging",
@@ -68,7 +60,11 @@ extern const StabilityExperiment srgb_averaging{
                    "light, so filtered edges become too dark.",
     .safe = "Between equal levels only.",
     .window = nowhere_safe,
-    .series = srgb_averaging_series,
+    .series = {{.names = "white over black", .title = "error of the level", .unit = "levels of 255"},
+               {.names = "white over black, level shown",
+                .title = "level that is shown",
+                .unit = "level of 255",
+                .better = Better::neither}},
     .add_rows = measure_srgb_averaging};
 
 }  // namespace ps::stability::srgb_averaging

@@ -1,8 +1,5 @@
-#include <array>
-
 #include <fmt/format.h>
 
-#include "options/renderer_kind.h"
 #include "scene/scene_file.h"
 #include "study/stability/shadow_floor.h"
 
@@ -10,26 +7,26 @@ namespace ps::stability::stencil_shadows {
 namespace {
 
 /// What depth pass makes of the floor, and what depth fail does.
-StabilityRow passed_and_failed(double knob, const char* series, const Scene& scene, double near,
-                               const StabilityRun& run) {
+void add_passed_and_failed(Rows& rows, double knob, const char* series, const Scene& scene, double near,
+                           const StabilityRun& run) {
   const auto wrong = [&](Shadows shadows) {
     return wrong_floor_share(scene, shadow_settings(renderer_for(PictureWay::fragments), shadows, near), run);
   };
-  return {knob, series, wrong(Shadows::stencil_depth_pass), wrong(Shadows::stencil_depth_fail),
-          "% of floor pixels wrong"};
+  rows.add(knob, series, wrong(Shadows::stencil_depth_pass), wrong(Shadows::stencil_depth_fail),
+           "% of floor pixels wrong");
 }
 
 void measure_inside(const StabilityRun& run, Rows& rows) {
   for (const double z : {-8.0, -6.0, -4.0, -3.0, -1.5, 0.0}) {
     const Scene scene = parse_scene(roof_text(z), "roof", ".");
-    rows.push_back(passed_and_failed(z, "under a roof of 4 x 4", scene, 0.05, run));
+    add_passed_and_failed(rows, z, "under a roof of 4 x 4", scene, 0.05, run);
   }
 }
 
 void measure_near(const StabilityRun& run, Rows& rows) {
   const Scene scene = parse_scene(roof_text(-2.05), "roof", ".");
   for (const double near : {0.01, 0.03, 0.1, 0.3, 0.6})
-    rows.push_back(passed_and_failed(near, "camera 0.05 before the shadow", scene, near, run));
+    add_passed_and_failed(rows, near, "camera 0.05 before the shadow", scene, near, run);
 }
 
 /// `boards` over one place, in the light from above.
@@ -70,11 +67,9 @@ double lit_share(int boards, int bits, const StabilityRun& run) {
 
 void measure_wrap(const StabilityRun& run, Rows& rows) {
   for (const int boards : {1, 8, 15, 16, 17, 32})
-    rows.push_back({static_cast<double>(boards), "4 bits", lit_share(boards, 4, run), lit_share(boards, 16, run),
-                    "% of shadow pixels lit"});
+    rows.add(boards, "4 bits", lit_share(boards, 4, run), lit_share(boards, 16, run), "% of shadow pixels lit");
   for (const int boards : {255, 256, 257})
-    rows.push_back({static_cast<double>(boards), "8 bits", lit_share(boards, 8, run), lit_share(boards, 16, run),
-                    "% of shadow pixels lit"});
+    rows.add(boards, "8 bits", lit_share(boards, 8, run), lit_share(boards, 16, run), "% of shadow pixels lit");
 }
 
 StabilityPicture picture_inside(double z) {
@@ -97,15 +92,7 @@ StabilityPicture picture_wrap(double boards) {
   return picture;
 }
 
-constexpr std::array places{-8.0, -4.0, -1.5, 0.0};
-constexpr std::array nears{0.01, 0.03, 0.1, 0.3};
-constexpr std::array boards{8.0, 15.0, 16.0, 17.0};
-
 }  // namespace
-
-static constexpr StabilitySeries z_pass_in_volume_series[]{
-    {.names = "*", .title = "wrong pixels of the floor", .unit = "%"},
-};
 
 extern const StabilityExperiment z_pass_in_volume{
     .key = "z-pass-in-volume",
@@ -119,14 +106,10 @@ extern const StabilityExperiment z_pass_in_volume{
                    "shadow are exchanged.",
     .safe = "Cameras outside every volume.",
     .window = {nowhere, -2.5},
-    .series = z_pass_in_volume_series,
+    .series = {{.names = "*", .title = "wrong pixels of the floor", .unit = "%"}},
     .add_rows = measure_inside,
     .picture = picture_inside,
-    .frames = places};
-
-static constexpr StabilitySeries near_plane_cuts_volume_series[]{
-    {.names = "*", .title = "wrong pixels of the floor", .unit = "%"},
-};
+    .frames = {-8.0, -4.0, -1.5, 0.0}};
 
 extern const StabilityExperiment near_plane_cuts_volume{
     .key = "near-plane-cuts-volume",
@@ -140,14 +123,10 @@ extern const StabilityExperiment near_plane_cuts_volume{
                    "not counted. Depth fail counts faces behind the surface, where no near plane cuts.",
     .safe = "Near planes that stay outside every volume.",
     .window = {nowhere, 0.03},
-    .series = near_plane_cuts_volume_series,
+    .series = {{.names = "*", .title = "wrong pixels of the floor", .unit = "%"}},
     .add_rows = measure_near,
     .picture = picture_near,
-    .frames = nears};
-
-static constexpr StabilitySeries stencil_bits_wrap_series[]{
-    {.names = "4 bits|*", .title = "shadow pixels that are lit", .unit = "%", .between = Between::nothing},
-};
+    .frames = {0.01, 0.03, 0.1, 0.3}};
 
 extern const StabilityExperiment stencil_bits_wrap{
     .key = "stencil-bits-wrap",
@@ -161,9 +140,9 @@ extern const StabilityExperiment stencil_bits_wrap{
                    "gives a count that is not 0, so only multiples of 2^n fail.",
     .safe = "Fewer than 2^bits overlapping volumes.",
     .window = {nowhere, 15},
-    .series = stencil_bits_wrap_series,
+    .series = {{.names = "4 bits|*", .title = "shadow pixels that are lit", .unit = "%", .between = Between::nothing}},
     .add_rows = measure_wrap,
     .picture = picture_wrap,
-    .frames = boards};
+    .frames = {8.0, 15.0, 16.0, 17.0}};
 
 }  // namespace ps::stability::stencil_shadows

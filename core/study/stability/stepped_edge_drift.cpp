@@ -57,16 +57,11 @@ void measure(const StabilityRun& run, Rows& rows) {
         }
       }
     }
-    rows.push_back({static_cast<double>(canvas), "triangles on the canvas", naive / edge_pixels, robust / edge_pixels,
-                    "wrong px per edge px"});
+    rows.add(canvas, "triangles on the canvas", naive / edge_pixels, robust / edge_pixels, "wrong px per edge px");
   }
 }
 
 }  // namespace
-
-static constexpr StabilitySeries stepped_edge_drift_series[]{
-    {.names = "*", .title = "wrong pixels for each pixel of an edge", .unit = "px per px"},
-};
 
 extern const StabilityExperiment stepped_edge_drift{
     .key = "stepped-edge-drift",
@@ -80,7 +75,7 @@ extern const StabilityExperiment stepped_edge_drift{
                    "rounded to the spacing of the large one. The error grows with the square of the canvas.",
     .safe = "Canvases up to 1,000 pixels for one pixel in a thousand.",
     .window = {nowhere, 1024},
-    .series = stepped_edge_drift_series,
+    .series = {{.names = "*", .title = "wrong pixels for each pixel of an edge", .unit = "px per px"}},
     .add_rows = measure};
 
 }  // namespace ps::stability::stepped_edge_drift

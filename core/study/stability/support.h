@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "options/renderer_kind.h"
 #include "render/render.h"
 #include "study/stability/experiment.h"
 
@@ -45,9 +46,9 @@ class Random {
 class Rows {
  public:
   explicit Rows(const StabilityRun& run) : run_(run) {}
-  void push_back(StabilityRow row) {
-    if (run_.arrived) run_.arrived(row);
-    rows_.push_back(std::move(row));
+  void add(double knob, std::string series, double naive, double robust, std::string unit) {
+    rows_.push_back({knob, std::move(series), naive, robust, std::move(unit)});
+    if (run_.arrived) run_.arrived(rows_.back());
     run_.check();
   }
   std::vector<StabilityRow> take() { return std::move(rows_); }
@@ -56,6 +57,15 @@ class Rows {
   const StabilityRun& run_;
   std::vector<StabilityRow> rows_;
 };
+
+/// The renderer of fragments, which shows both sides of everything without light.
+inline Settings unlit_fragments() {
+  Settings settings;
+  settings.renderer = renderer_for(PictureWay::fragments);
+  settings.lighting = false;
+  settings.backface_culling = false;
+  return settings;
+}
 
 inline Frame picture_of(const Scene& scene, const View& view, const Settings& settings, Channel channels,
                         const StabilityRun& run) {

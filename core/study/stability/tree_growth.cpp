@@ -47,10 +47,10 @@ void measure_trees(const StabilityRun& run, Rows& rows) {
     const double all = work_of_ray(scene, Accelerator::none, run);
     for (GrowingTree& tree : trees) {
       const double work = work_of_ray(scene, tree.accelerator, run);
-      rows.push_back({n, tree.name, all, work, "tests and visits"});
+      rows.add(n, tree.name, all, work, "tests and visits");
       if (divisions > 1)
-        rows.push_back({n, std::string("exponent, ") + tree.name, std::log(all / all_before) / std::log(4.0),
-                        std::log(work / tree.before) / std::log(4.0), "power of n"});
+        rows.add(n, std::string("exponent, ") + tree.name, std::log(all / all_before) / std::log(4.0),
+                 std::log(work / tree.before) / std::log(4.0), "power of n");
       tree.before = work;
     }
     all_before = all;
@@ -58,13 +58,6 @@ void measure_trees(const StabilityRun& run, Rows& rows) {
 }
 
 }  // namespace
-
-static constexpr StabilitySeries tree_growth_series[]{
-    {.names = "exponent, *",
-     .title = "measured exponent, from a quarter of the triangles to all",
-     .unit = "power of n"},
-    {.names = "*", .title = "tests and node visits for each ray", .unit = "tests and visits"},
-};
 
 extern const StabilityExperiment tree_growth{
     .key = "tree-growth",
@@ -79,7 +72,10 @@ extern const StabilityExperiment tree_growth{
         "a few levels more, so the exponent of its work falls towards 0, as that of log n does.",
     .safe = "A dozen triangles: there a tree saves little.",
     .window = {0, 12},
-    .series = tree_growth_series,
+    .series = {{.names = "exponent, *",
+                .title = "measured exponent, from a quarter of the triangles to all",
+                .unit = "power of n"},
+               {.names = "*", .title = "tests and node visits for each ray", .unit = "tests and visits"}},
     .add_rows = measure_trees};
 
 }  // namespace ps::stability::tree_growth

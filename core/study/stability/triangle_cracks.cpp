@@ -1,9 +1,51 @@
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
-#include "study/stability/triangle_methods.h"
+#include "raytrace/clear/triangle_plane.h"
+#include "raytrace/clear/triangle_watertight.h"
+#include "study/stability/aimed_rays.h"
 
 namespace ps::stability::triangle_cracks {
 namespace {
+
+/// Ray and triangle as CGPP's listing 15.16 has it, in float: determinants up to 1e-7 in size are parallel, weights may
+/// fall to -1e-10, and what is left of the origin is divided by the determinant before the products.
+bool cgpp_hits(const AimedRay& ray, const TracedTriangle<float>& triangle) {
+  const Vec3f edge_b = triangle.b - triangle.a, edge_c = triangle.c - triangle.a;
+  const Vec3f q = cross(ray.direction, edge_c);
+  const float determinant = dot(edge_b, q);
+  if (!(std::abs(determinant) > 1e-7f)) return false;
+  const Vec3f s = (ray.origin - triangle.a) / determinant;
+  const Vec3f r = cross(s, edge_b);
+  const float u = dot(s, q), v = dot(r, ray.direction), w = 1 - u - v;
+  constexpr float least = -1e-10f;
+  return u >= least && v >= least && w >= least && dot(edge_c, r) > 0;
+}
+
+/// The program's tests that meet the triangle's plane first.
+bool plane_barycentric_hits(const AimedRay& ray, const TracedTriangle<float>& triangle) {
+  const auto result = triangle_barycentric<float>(ray.origin, ray.direction, triangle, 0);
+  return result.verdict == TriangleVerdict::inside && result.t > 0;
+}
+bool plane_cross_products_hits(const AimedRay& ray, const TracedTriangle<float>& triangle) {
+  const auto result = triangle_cross_products<float>(ray.origin, ray.direction, triangle, 0);
+  return result.verdict == TriangleVerdict::inside && result.t > 0;
+}
+
+/// The watertight test without the fallback to double where an edge function is 0.
+bool float_only_hits(const AimedRay& ray, const TracedTriangle<float>& triangle) {
+  const Shear<float> shear(ray.direction);
+  const auto sheared = [&](const Vec3f& corner) {
+    const float far = corner[shear.kz] - ray.origin[shear.kz];
+    return Vec2f(corner[shear.kx] - ray.origin[shear.kx] - shear.x * far,
+                 corner[shear.ky] - ray.origin[shear.ky] - shear.y * far);
+  };
+  const Vec2f a = sheared(triangle.a), b = sheared(triangle.b), c = sheared(triangle.c);
+  const auto edge = [](const Vec2f& p, const Vec2f& q) { return p.x * q.y - p.y * q.x; };
+  const float u = edge(c, b), v = edge(a, c), w = edge(b, a);
+  return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+}
 
 std::string name_of(AimAt what) {
   return what == AimAt::interior ? "inside triangles" : what == AimAt::edge ? "at edges" : "at vertices";
@@ -20,8 +62,8 @@ void add_far_sphere(Rows& rows, const StabilityRun& run) {
     const TracedTriangle<float> t = mesh.triangle(i);
     return cross(Vec3d(t.b) - Vec3d(t.a), Vec3d(t.c) - Vec3d(t.a)) == Vec3d(0);  // exact: few bits of each differ
   });
-  rows.push_back({32, "far sphere, triangles without an area", static_cast<double>(without_area), std::nan(""),
-                  "of 9,800 triangles"});
+  rows.add(32, "far sphere, triangles without an area", static_cast<double>(without_area), std::nan(""),
+           "of 9,800 triangles");
   constexpr int rays = 40000;
   Random random(run.seed);
   double naive = 0, robust = 0;
@@ -41,7 +83,7 @@ void add_far_sphere(Rows& rows, const StabilityRun& run) {
     naive += missed(moeller_trumbore) ? 1 : 0;
     robust += missed(watertight_hits) ? 1 : 0;
   }
-  rows.push_back({32, "far sphere, at edges, misses", naive, robust, "of 40,000 rays"});
+  rows.add(32, "far sphere, at edges, misses", naive, robust, "of 40,000 rays");
 }
 
 void measure_edge_cracks(const StabilityRun& run, Rows& rows) {
@@ -101,26 +143,12 @@ void measure_determinant(const StabilityRun& run, Rows& rows) {
                                         moeller_trumbore_hits<float>(1e-8f, 1e-10f)};
   for (const double radius : {2.0, 0.05, 0.02, 0.01, 0.001}) {
     const std::vector<double> lost = escaped(radius, tests, run);
-    rows.push_back({radius, "epsilon 1e-7", lost[1], lost[0], "% of rays lost"});
-    rows.push_back({radius, "epsilon 1e-8", lost[2], lost[0], "% of rays lost"});
+    rows.add(radius, "epsilon 1e-7", lost[1], lost[0], "% of rays lost");
+    rows.add(radius, "epsilon 1e-8", lost[2], lost[0], "% of rays lost");
   }
 }
 
 }  // namespace
-
-static constexpr KnobCase triangle_edge_cracks_cases[]{{32, "float"}, {64, "double"}};
-static constexpr StabilitySeries triangle_edge_cracks_series[]{
-    {.names = "at edges, misses|*misses",
-     .title = "rays that slip through",
-     .unit = "per million",
-     .cases = triangle_edge_cracks_cases},
-    {.names = "*double hits",
-     .title = "rays that hit two triangles",
-     .unit = "per million",
-     .cases = triangle_edge_cracks_cases},
-    {.names = "far sphere, triangles without an area", .title = "triangles without an area", .unit = "of 9,800"},
-    {.names = "far sphere, at edges, misses", .title = "rays that slip through the far sphere", .unit = "of 40,000"},
-};
 
 extern const StabilityExperiment triangle_edge_cracks{
     .key = "triangle-edge-cracks",
@@ -135,13 +163,21 @@ extern const StabilityExperiment triangle_edge_cracks{
                    "both place a ray beyond it. The watertight test computes the same numbers on both sides.",
     .safe = "Nowhere for rays that are aimed at edges; random rays meet three cracks in a million.",
     .window = nowhere_safe,
-    .series = triangle_edge_cracks_series,
+    .series = {{.names = "at edges, misses|*misses",
+                .title = "rays that slip through",
+                .unit = "per million",
+                .cases = {{32, "float"}, {64, "double"}}},
+               {.names = "*double hits",
+                .title = "rays that hit two triangles",
+                .unit = "per million",
+                .cases = {{32, "float"}, {64, "double"}}},
+               {.names = "far sphere, triangles without an area",
+                .title = "triangles without an area",
+                .unit = "of 9,800"},
+               {.names = "far sphere, at edges, misses",
+                .title = "rays that slip through the far sphere",
+                .unit = "of 40,000"}},
     .add_rows = measure_edge_cracks};
-
-static constexpr StabilitySeries mt_tolerance_series[]{
-    {.names = "at edges, misses|*misses", .title = "rays that slip through", .unit = "per million"},
-    {.names = "*double hits", .title = "rays that hit two triangles", .unit = "per million"},
-};
 
 extern const StabilityExperiment mt_tolerance{
     .key = "mt-tolerance",
@@ -156,12 +192,9 @@ extern const StabilityExperiment mt_tolerance{
                    "wrong for transparency and for counts that decide between inside and outside.",
     .safe = "Nowhere: 1e-4 leaves ten misses in a million rays at edges and makes all others hit twice.",
     .window = nowhere_safe,
-    .series = mt_tolerance_series,
+    .series = {{.names = "at edges, misses|*misses", .title = "rays that slip through", .unit = "per million"},
+               {.names = "*double hits", .title = "rays that hit two triangles", .unit = "per million"}},
     .add_rows = measure_tolerance};
-
-static constexpr StabilitySeries absolute_det_epsilon_series[]{
-    {.names = "epsilon 1e-7|*", .title = "rays that are lost", .unit = "%"},
-};
 
 extern const StabilityExperiment absolute_det_epsilon{
     .key = "absolute-det-epsilon",
@@ -175,7 +208,7 @@ extern const StabilityExperiment absolute_det_epsilon{
                    "square of the scale. In small units every triangle is rejected.",
     .safe = "Triangles with areas far above the epsilon; the losses that remain are cracks at edges.",
     .window = {1, everywhere},
-    .series = absolute_det_epsilon_series,
+    .series = {{.names = "epsilon 1e-7|*", .title = "rays that are lost", .unit = "%"}},
     .add_rows = measure_determinant};
 
 }  // namespace ps::stability::triangle_cracks

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
@@ -75,9 +74,9 @@ void measure(const StabilityRun& run, Rows& rows) {
     const double half_step = 0x1p-24 * distance;
     const double robust = share(dark_pixels(distance, in_the_world(), std::min(0.02, half_step), run));
     for (const double epsilon : {1e-3, 1e-2})
-      rows.push_back({distance, fmt::format("epsilon {}", epsilon),
-                      share(dark_pixels(distance, with_epsilon(epsilon), 0, run)), robust,
-                      "% of lit pixels in their own shadow"});
+      rows.add(distance, fmt::format("epsilon {}", epsilon),
+               share(dark_pixels(distance, with_epsilon(epsilon), 0, run)), robust,
+               "% of lit pixels in their own shadow");
   }
 }
 
@@ -88,13 +87,7 @@ StabilityPicture picture(double distance) {
   return picture;
 }
 
-constexpr std::array frames{0.0, 1e3, 1e4, 1e5, 1e6};
-
 }  // namespace
-
-static constexpr StabilitySeries world_offset_sphere_acne_series[]{
-    {.names = "epsilon 0.001|*", .title = "lit pixels in their own shadow", .unit = "%"},
-};
 
 extern const StabilityExperiment world_offset_sphere_acne{
     .key = "world-offset-sphere-acne",
@@ -108,9 +101,9 @@ extern const StabilityExperiment world_offset_sphere_acne{
                    "epsilon that is enough near the origin is soon smaller than that.",
     .safe = "Up to 10 units for 0.001, or anywhere with camera-relative = on.",
     .window = {nowhere, 10},
-    .series = world_offset_sphere_acne_series,
+    .series = {{.names = "epsilon 0.001|*", .title = "lit pixels in their own shadow", .unit = "%"}},
     .add_rows = measure,
     .picture = picture,
-    .frames = frames};
+    .frames = {0.0, 1e3, 1e4, 1e5, 1e6}};
 
 }  // namespace ps::stability::world_offset_sphere_acne

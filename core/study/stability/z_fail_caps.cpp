@@ -1,6 +1,3 @@
-#include <array>
-
-#include "options/renderer_kind.h"
 #include "scene/scene_file.h"
 #include "study/stability/shadow_floor.h"
 
@@ -27,8 +24,8 @@ void measure(const StabilityRun& run, Rows& rows) {
               from_inside = parse_scene(roof_text(inside), "roof", ".");
   const auto add = [&](double knob, const char* series, const Scene& scene, const Settings& naive,
                        const Settings& robust) {
-    rows.push_back({knob, series, wrong_floor_share(scene, naive, run), wrong_floor_share(scene, robust, run),
-                    "% of floor pixels wrong"});
+    rows.add(knob, series, wrong_floor_share(scene, naive, run), wrong_floor_share(scene, robust, run),
+             "% of floor pixels wrong");
   };
   // From 5 on volumes reach through the floor.
   for (const double length : {5.0, 10.0, 20.0, 40.0, 80.0}) {
@@ -53,17 +50,7 @@ StabilityPicture picture(double length) {
   return picture;
 }
 
-constexpr std::array frames{5.0, 10.0, 20.0, 40.0};
-
 }  // namespace
-
-static constexpr StabilitySeries z_fail_caps_series[]{
-    {.names = "no caps, camera outside|*", .title = "wrong pixels of the floor", .unit = "%"},
-    {.names = "far plane",
-     .title = "wrong pixels of the floor",
-     .unit = "%",
-     .knob = "distance of the far plane (world units)"},
-};
 
 extern const StabilityExperiment z_fail_caps{
     .key = "z-fail-caps",
@@ -78,9 +65,13 @@ extern const StabilityExperiment z_fail_caps{
                    "counted. A lit floor then lies in its own shadow.",
     .safe = "Closed volumes that reach beyond everything, with a far plane at infinity.",
     .window = nowhere_safe,
-    .series = z_fail_caps_series,
+    .series = {{.names = "no caps, camera outside|*", .title = "wrong pixels of the floor", .unit = "%"},
+               {.names = "far plane",
+                .title = "wrong pixels of the floor",
+                .unit = "%",
+                .knob = "distance of the far plane (world units)"}},
     .add_rows = measure,
     .picture = picture,
-    .frames = frames};
+    .frames = {5.0, 10.0, 20.0, 40.0}};
 
 }  // namespace ps::stability::z_fail_caps
