@@ -1,7 +1,6 @@
 #pragma once
 #include <initializer_list>
 #include <string_view>
-#include <utility>
 
 #include "options/option.h"
 #include "options/scene_settings.h"
@@ -24,7 +23,7 @@ Settings settings_with(Settings settings, const Assignments& assignments) {
   return settings;
 }
 inline Settings settings_with(Settings settings, std::initializer_list<std::string_view> assignments) {
-  return settings_with<std::initializer_list<std::string_view>>(std::move(settings), assignments);
+  return settings_with<std::initializer_list<std::string_view>>(settings, assignments);
 }
 
 }  // namespace ps
