@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -59,8 +60,9 @@ class Row {
   /// Rules of two words have a minus between them, kinds a blank.
   template <class Choice>
   Choice one_of(const std::string& field) const {
-    std::string key = field;
-    if constexpr (std::is_same_v<Choice, FigureKind>) std::replace(key.begin(), key.end(), ' ', '-');
+    std::string key;
+    std::replace_copy(field.begin(), field.end(), std::back_inserter(key), ' ',
+                      std::is_same_v<Choice, FigureKind> ? '-' : ' ');
     if (const auto choice = enumerator_named<Choice>(key)) return *choice;
     refuse(field, fmt::format("one of '{}'", fmt::join(enumerator_keys<Choice>, "' '")));
   }
