@@ -1,127 +1,17 @@
-#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
-#include "raytrace/clear/sphere_robust.h"
 #include "render/render.h"
 #include "scene/scene_file.h"
+#include "study/stability/ground_sphere_points.h"
 #include "study/stability/support.h"
 
 namespace ps::stability::ground_sphere_acne {
 namespace {
-
-/// Where the points that the book's camera finds on its ground sphere really lie, and what an epsilon does about them.
-/// The sphere touches y = -1 below the camera; pictures have 600 x 600 rays through the corners of their pixels, as the
-/// book has them.
-enum class SphereForm { textbook, remainder };
-
-/// The numbers in which the distance of a point from the surface is computed: more precise ones, or those of the hit
-/// itself, whose own rounding is as large as the error that they measure.
-enum class ErrorIn { long_double, same };
-
-/// Distance of the points from the sphere's surface.
-struct OffSurface {
-  double rms = 0, largest = 0;
-};
-
-constexpr int picture_side = 600;
-
-/// The discriminant from the remainder vector and the root that loses nothing, with all numbers of one precision: c is
-/// (|f| - r)(|f| + r).
-template <class Real>
-SphereRoots<Real> sphere_remainder(const Vec3<Real>& origin, const Vec3<Real>& direction, Real a,
-                                   const TracedSphere<Real>& sphere) {
-  const Vec3<Real> from_centre = origin - sphere.centre;
-  const Real b = -dot(from_centre, direction);
-  SphereRoots<Real> roots;
-  roots.discriminant = remainder_discriminant(from_centre, direction, b / a, sphere.radius);
-  if (!(roots.discriminant >= 0)) return roots;
-  const Real distance = std::sqrt(dot(from_centre, from_centre));
-  const Real c = (distance - sphere.radius) * (distance + sphere.radius);
-  const Real root = std::sqrt(a * roots.discriminant);
-  const Real q = b + (b < 0 ? -root : root);
-  roots.near = b < 0 ? q / a : c / q;
-  roots.far = b < 0 ? c / q : q / a;
-  return roots;
-}
-
-template <class Real>
-SphereRoots<Real> roots_of(SphereForm form, const Vec3<Real>& origin, const Vec3<Real>& direction,
-                           const TracedSphere<Real>& sphere) {
-  const Real a = dot(direction, direction);
-  return form == SphereForm::textbook ? sphere_quadratic<Real>(origin, direction, a, sphere)
-                                      : sphere_remainder<Real>(origin, direction, a, sphere);
-}
-
-/// Calls visit(point) for each place where a ray of the camera meets the ground.
-template <class Real, class Visit>
-void for_each_point(const TracedSphere<Real>& ground, SphereForm form, Visit&& visit) {
-  constexpr int middle = picture_side / 2;
-  for (int row = 0; row < picture_side; ++row)
-    for (int column = 0; column < picture_side; ++column) {
-      const Vec3<Real> direction{static_cast<Real>(column - middle) / Real(picture_side),
-                                 static_cast<Real>(middle - row) / Real(picture_side), Real(1)};
-      const Vec3<Real> eye(0);
-      const SphereRoots<Real> roots = roots_of(form, eye, direction, ground);
-      if (roots.discriminant >= 0 && roots.near > 0) visit(eye + direction * roots.near);
-    }
-}
-
-template <class Real>
-TracedSphere<Real> ground_of(double radius) {
-  return {Vec3<Real>(Vec3d(0, -1 - radius, 0)), static_cast<Real>(radius)};
-}
-
-template <class Real, class Error>
-OffSurface off_surface(double radius, SphereForm form) {
-  const TracedSphere<Real> ground = ground_of<Real>(radius);
-  long double squares = 0, largest = 0;
-  int points = 0;
-  for_each_point(ground, form, [&](const Vec3<Real>& point) {
-    Error distance_squared = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const Error difference = static_cast<Error>(point[axis]) - static_cast<Error>(ground.centre[axis]);
-      distance_squared += difference * difference;
-    }
-    const long double off = std::sqrt(distance_squared) - static_cast<Error>(ground.radius);
-    squares += off * off;
-    largest = std::max(largest, std::abs(off));
-    ++points;
-  });
-  if (points == 0) return {};
-  return {static_cast<double>(std::sqrt(squares / points)), static_cast<double>(largest)};
-}
-
-OffSurface hit_off_surface(double radius, SphereForm form, Precision numbers, ErrorIn error_in,
-                           const StabilityRun& run) {
-  run.check();
-  if (numbers == Precision::float32)
-    return error_in == ErrorIn::same ? off_surface<float, float>(radius, form)
-                                     : off_surface<float, long double>(radius, form);
-  return error_in == ErrorIn::same ? off_surface<double, double>(radius, form)
-                                   : off_surface<double, long double>(radius, form);
-}
-
-/// Percentage of the points on the ground of radius 5000, lit by the book's point light at (2, 1, 0), whose shadow ray
-/// meets the ground again beyond `epsilon`: in float, hit and shadow both by the remainder form, from the point as
-/// found.
-double false_shadow_by_remainder(float epsilon, const StabilityRun& run) {
-  run.check();
-  const TracedSphere<float> ground = ground_of<float>(5000);
-  const Vec3f light(2, 1, 0);
-  double lit = 0, wrong = 0;
-  for_each_point(ground, SphereForm::remainder, [&](const Vec3f& point) {
-    // A light sees all of a ball that turns towards it.
-    const Vec3d exact(point), normal = exact - Vec3d(ground.centre);
-    if (!(dot(normal, Vec3d(light) - exact) > 0)) return;
-    ++lit;
-    const auto roots = roots_of<float>(SphereForm::remainder, point, light - point, ground);
-    const auto blocks = [&](float t) { return t > epsilon && t < 1; };
-    wrong += roots.discriminant >= 0 && (blocks(roots.near) || blocks(roots.far)) ? 1 : 0;
-  });
-  return percent(wrong, lit);
-}
 
 /// The book's camera and its ground sphere alone, touching y = -1, under one point light.
 std::string ground_text(double radius, double light_y, const Vec3d& centre) {
