@@ -4,48 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 
 #include "base/available_memory.h"
 #include "base/check.h"
 #include "hardware/context.h"
 #include "hardware/least_recent.h"
+#include "hardware/level_atlas.h"
 #include "raster/setup/textures.h"
 
 namespace ps::hardware {
 namespace {
 
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 30;
-
-/// All levels of a texture in one picture: level 0 on the left, the others below each other on its right. The height
-/// that they share is rounded up to a power of two, so that each level's place follows from its number.
-struct LevelAtlas {
-  int width = 0, height = 0;     ///< of the picture
-  Vec4<int> layout{0, 0, 0, 0};  ///< as texturing.glsl reads it
-
-  // The same formula is in texturing.glsl. Level 1 takes half of the shared height, level 2 a quarter, and so on;
-  // what is wider than high has further levels of one row each, which follow.
-  Vec2i place(int level) const {
-    if (level == 0) return {0, 0};
-    const int shared_height = 1 << layout.z;
-    return {layout.x, shared_height - (shared_height >> (level - 1)) + std::max(level - 2 - layout.z, 0)};
-  }
-};
-
-LevelAtlas atlas_of(const MipChain& chain) {
-  const Image<Vec3f>& base = *chain.base;
-  LevelAtlas atlas;
-  const auto shared_height = std::bit_ceil(static_cast<unsigned>(base.height()));
-  atlas.layout = {base.width(), base.height(), std::countr_zero(shared_height), chain.levels() - 1};
-  atlas.width = base.width();
-  atlas.height = base.height();
-  for (int level = 1; level < chain.levels(); ++level) {
-    const Vec2i at = atlas.place(level);
-    atlas.width = std::max(atlas.width, at.x + chain.level(level).width());
-    atlas.height = std::max(atlas.height, at.y + chain.level(level).height());
-  }
-  return atlas;
-}
 
 GLint minifying(TextureFilter filter) {
   switch (filter) {

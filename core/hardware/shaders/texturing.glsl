@@ -1,9 +1,9 @@
 // Reading a texture texel by texel, with the formulas of core/image/texture_sampling.h and core/image/mip_level.h: the
 // centre of texel (x, y) lies at ((x + 0.5) / width, (y + 0.5) / height), v = 0 is the top row.
 //
-// All levels of a texture lie side by side in one picture (core/hardware/texture_store.cpp), since drivers may take one
-// level for four neighbouring fragments, whatever texelFetch() asks for. A layout is (width, height, log2 of the height
-// that level 1 and below share, number of the coarsest level).
+// All levels of a texture lie side by side in one picture (core/hardware/level_atlas.h), since drivers may take one level
+// for four neighbouring fragments, whatever texelFetch() asks for. A layout is (width, height, log2 of the height that
+// level 1 and below share, number of the coarsest level).
 
 uniform float mip_bias;
 
