@@ -14,7 +14,7 @@
 namespace ps::hardware {
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{1} << 30;
+constexpr std::size_t most_mesh_bytes = std::size_t{1} << 30;
 
 int width_of(Stream stream) {
   switch (stream) {
@@ -169,7 +169,7 @@ void MeshStore::tidy() {
   std::erase_if(entries_, [](const auto& entry) { return entry.second.mesh.expired(); });
   std::size_t bytes = 0;
   for (const auto& [mesh, entry] : entries_) bytes += entry.buffers->bytes();
-  while (bytes > most_bytes && entries_.size() > 1) {
+  while (bytes > most_mesh_bytes && entries_.size() > 1) {
     const auto oldest = least_recent(entries_);
     bytes -= oldest->second.buffers->bytes();
     entries_.erase(oldest);

@@ -15,7 +15,7 @@
 namespace ps::hardware {
 namespace {
 
-constexpr std::uint64_t most_bytes = std::uint64_t{1} << 30;
+constexpr std::uint64_t most_texture_bytes = std::uint64_t{1} << 30;
 
 GLint minifying(TextureFilter filter) {
   switch (filter) {
@@ -132,7 +132,7 @@ void TextureStore::tidy() {
   });
   std::uint64_t bytes = 0;
   for (const auto& [key, entry] : entries_) bytes += entry.bytes;
-  while (bytes > most_bytes && entries_.size() > 1) {
+  while (bytes > most_texture_bytes && entries_.size() > 1) {
     const auto oldest = least_recent(entries_);
     bytes -= oldest->second.bytes;
     glDeleteTextures(1, &oldest->second.texture);
