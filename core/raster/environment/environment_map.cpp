@@ -15,7 +15,7 @@
 namespace ps::raster {
 namespace {
 
-constexpr double near_limit = 1e-3;  // world units
+constexpr double nearest_reflected = 1e-3;  // world units
 
 /// The picture's own settings, except for the camera's and for mirrors, which show their local colour in a map.
 Settings map_settings(const Settings& settings) {
@@ -27,7 +27,7 @@ Settings map_settings(const Settings& settings) {
   plain.viewport_fit = ViewportFit::height;
   plain.field_of_view_span = FieldOfViewSpan::edges;
   plain.sample_position = SamplePosition::centre;
-  plain.near = near_limit;
+  plain.near = nearest_reflected;
   plain.far = defaults.far;
   plain.clipping = Clipping::full;
   plain.draw = Draw::filled;

@@ -13,16 +13,16 @@
 namespace ps::raster {
 namespace {
 
-constexpr double near_limit = 1e-3;  // world units in front of a light; nothing nearer casts a shadow
-constexpr double dwarfing = 30;      // an object so much larger than all smaller ones together is a ground
-constexpr double margin_texels = 2;  // outlines stay clear of the square's border
+constexpr double nearest_caster = 1e-3;  // world units in front of a light; nothing nearer casts a shadow
+constexpr double dwarfing = 30;          // an object so much larger than all smaller ones together is a ground
+constexpr double margin_texels = 2;      // outlines stay clear of the square's border
 
 /// Only what decides depth; everything else at its default or off.
 Settings map_settings(const Settings& settings, bool cube) {
   Settings plain;
   plain.renderer = Renderer::rasterizer;
   plain.projection = cube ? Projection::perspective : Projection::orthographic;
-  plain.near = near_limit;
+  plain.near = nearest_caster;
   plain.backface_culling = false;  // rays are stopped by both sides
   plain.lighting = false;
   plain.textures = false;
@@ -83,7 +83,7 @@ ShadowMap frame_around(const ShadowCasters& casters, const Light& light, int siz
   if (casters.objects.empty()) low = Vec3d(-1), high = Vec3d(1);
   const Vec3d middle = (low + high) * 0.5;
   map.half = std::max({high.x - middle.x, high.y - middle.y, 1e-6}) * (1 + 2 * margin_texels / map.size);
-  const double start = low.z - 0.01 * (high.z - low.z) - 2 * near_limit;
+  const double start = low.z - 0.01 * (high.z - low.z) - 2 * nearest_caster;
   map.position = map.frame.right * middle.x + map.frame.up * middle.y + forward * start;
   return map;
 }
