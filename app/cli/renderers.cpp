@@ -67,7 +67,7 @@ void print_points(const Chart& chart) {
   for (const ChartPoint& point : chart.points) {
     const Settings& settings = point.what.value;
     std::string notes = settings.shadows == Shadows::map ? "shadow map" : "";
-    for (const std::string& left : point.left_out) notes += (notes.empty() ? "" : ", ") + left;
+    for (const std::string& left : brief_texts(point.left_out)) notes += (notes.empty() ? "" : ", ") + left;
     const std::string upload = point.upload_ms ? fmt::format("{:.3g}", point.upload_ms->median) : "-";
     fmt::print("{:<16} {:<18} {:>8.3g} {:>9} {:>8.3g}  {}\n", chart.identity.scene,
                renderer_kind(settings.renderer).label, point.time_ms.median, upload, point.error, notes);

@@ -4,11 +4,21 @@
 
 namespace ps {
 
+std::string brief_text(const LeftOutBrief& brief) {
+  return brief.verb == BriefVerb::leaves_out ? "leaves out " + brief.words : brief.words;
+}
+
+std::vector<std::string> brief_texts(const std::vector<LeftOutBrief>& briefs) {
+  std::vector<std::string> texts;
+  for (const LeftOutBrief& brief : briefs) texts.push_back(brief_text(brief));
+  return texts;
+}
+
 std::optional<LeftOut> missing_light(const SceneTraits& traits, const Settings& settings, std::string_view subject) {
   if (!settings.lighting || !(traits.spheres || traits.triangles || traits.solids || traits.csg)) return {};
   const auto black = [&](std::string_view reason, std::string_view notice, Remedy other) {
     LeftOut found{LeftOutKind::effect,
-                  fmt::format("shows black surfaces: {}", reason),
+                  {BriefVerb::own, fmt::format("shows black surfaces: {}", reason)},
                   fmt::format("{} shows black surfaces, since {}. Set lighting = off to see their local colours.",
                               subject, reason),
                   std::string(notice),

@@ -14,6 +14,23 @@ enum class LeftOutKind {
   effect    ///< they are, but without something that the settings ask for
 };
 
+enum class BriefVerb {
+  leaves_out,  ///< "leaves out" stands before the words
+  own          ///< the words have a verb of their own
+};
+
+/// A few words on what is left out: "CSG" with "leaves out", or "rounds places in float".
+struct LeftOutBrief {
+  BriefVerb verb = BriefVerb::own;
+  std::string words;
+
+  bool operator==(const LeftOutBrief&) const = default;
+};
+
+/// With its verb: "leaves out CSG".
+std::string brief_text(const LeftOutBrief& brief);
+std::vector<std::string> brief_texts(const std::vector<LeftOutBrief>& briefs);
+
 /// A setting that shows what is left out.
 struct Remedy {
   std::string label;    ///< for a button: "Shadow map"
@@ -23,7 +40,7 @@ struct Remedy {
 /// Something of a scene that a renderer cannot show.
 struct LeftOut {
   LeftOutKind kind = LeftOutKind::objects;
-  std::string brief;     ///< a few words: "leaves out CSG"
+  LeftOutBrief brief;
   std::string sentence;  ///< a whole one, with the reason and what shows it
   std::string notice;    ///< for the line under the picture: "No shadows: traced shadows need rays."
   std::vector<Remedy> remedies;

@@ -24,7 +24,7 @@ std::vector<LeftOut> left_out(const SceneTraits& traits, const Settings& setting
     all.push_back(std::move(*rounded));
   } else if (traits.outgrows_float && settings.camera_relative) {
     all.push_back({LeftOutKind::effect,
-                   "rounds away detail in float",
+                   {BriefVerb::own, "rounds away detail in float"},
                    "The hardware renderer rounds away detail: it lies too far from the middle of its model. Set "
                    "renderer = rasterizer to see it.",
                    "Detail is rounded away: drivers compute in float.",

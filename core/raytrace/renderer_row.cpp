@@ -20,14 +20,14 @@ std::vector<LeftOut> left_out_by_rays(const SceneTraits& traits, const Settings&
   std::vector<LeftOut> all;
   if (traits.canvas_items)
     all.push_back({LeftOutKind::objects,
-                   "leaves out what is drawn on the canvas",
+                   {BriefVerb::leaves_out, "what is drawn on the canvas"},
                    "The ray tracer leaves out lines and shapes on the canvas, which no ray hits. Set renderer = "
                    "rasterizer to see them.",
                    "Nothing of the canvas: no ray hits it.",
                    {{"Rasterizer", "renderer=rasterizer"}}});
   if (traits.outgrows_float && settings.precision == Precision::float32 && settings.camera_relative)
     all.push_back({LeftOutKind::effect,
-                   "rounds away detail in float",
+                   {BriefVerb::own, "rounds away detail in float"},
                    "The ray tracer rounds away detail: it is too small for its distance from the scene's middle. The "
                    "scene needs precision = double.",
                    "Detail is rounded away: needs precision = double.",
@@ -35,14 +35,14 @@ std::vector<LeftOut> left_out_by_rays(const SceneTraits& traits, const Settings&
   const bool casts = settings.lighting && traits.casting_lights;
   if (casts && (settings.shadows == Shadows::stencil_depth_fail || settings.shadows == Shadows::stencil_depth_pass))
     all.push_back({LeftOutKind::effect,
-                   "traces its shadows",
+                   {BriefVerb::own, "traces its shadows"},
                    "The ray tracer casts a shadow ray to each light: it has no stencil buffer to count shadow volumes "
                    "in. Set renderer = rasterizer to see them.",
                    "Shadows are traced: shadow volumes need a stencil buffer.",
                    {{"Rasterizer", "renderer=rasterizer"}, {"Traced", "shadows=traced"}}});
   if (casts && settings.shadows == Shadows::map && traits.csg)
     all.push_back({LeftOutKind::effect,
-                   "leaves out the shadows of CSG",
+                   {BriefVerb::leaves_out, "the shadows of CSG"},
                    "The ray tracer leaves out the shadows of CSG objects: shadow maps are drawn with triangles, and "
                    "these objects have none. Set shadows = traced to see them.",
                    "No shadows of CSG: shadow maps need triangles.",

@@ -11,12 +11,10 @@ std::vector<LeftOut> left_out(const SceneTraits& traits, const Settings& setting
   return renderer_row(settings.renderer).left_out(traits, settings);
 }
 
-std::vector<std::string> briefs_together(const std::vector<std::string>& briefs) {
-  constexpr std::string_view lead = "leaves out ";
+std::vector<std::string> briefs_together(const std::vector<LeftOutBrief>& briefs) {
   std::vector<std::string> left, texts;
-  for (const std::string& brief : briefs)
-    (brief.starts_with(lead) ? left : texts).push_back(brief.starts_with(lead) ? brief.substr(lead.size()) : brief);
-  if (!left.empty()) texts.insert(texts.begin(), std::string(lead) + listed(left));
+  for (const LeftOutBrief& brief : briefs) (brief.verb == BriefVerb::leaves_out ? left : texts).push_back(brief.words);
+  if (!left.empty()) texts.insert(texts.begin(), brief_text({BriefVerb::leaves_out, listed(left)}));
   return texts;
 }
 
@@ -27,7 +25,7 @@ bool leaves_out_all(const SceneTraits& traits, const Settings& settings) {
 
 std::string left_out_words(const SceneTraits& traits, const Settings& settings) {
   const RendererRow& row = renderer_row(settings.renderer);
-  std::vector<std::string> briefs;
+  std::vector<LeftOutBrief> briefs;
   for (const LeftOut& one : row.left_out(traits, settings)) briefs.push_back(one.brief);
   if (briefs.empty()) return {};
   return fmt::format("; {} {}", row.subject(traits, settings), fmt::join(briefs_together(briefs), ", and "));

@@ -9,6 +9,7 @@
 
 #include "base/counters.h"
 #include "base/machine.h"
+#include "frame/left_out.h"
 #include "study/control.h"
 #include "study/reference.h"
 #include "study/same_machinery.h"
@@ -30,7 +31,7 @@ struct ChartPoint {
   int number = 0;  ///< in the whole sweep, from 0; shards keep the numbers of the whole
   SweepPoint what;
   Standing standing = Standing::compared;
-  std::vector<std::string> left_out;  ///< what its renderer cannot show, in a few words each: "leaves out shadows"
+  std::vector<LeftOutBrief> left_out;  ///< what its renderer cannot show
   /// One for each repeat: wall time of one render, everything prepared; of a graphics driver, DriverTimes::draw_ms.
   std::vector<double> samples_ms;
   Quartiles time_ms;

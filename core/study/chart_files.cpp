@@ -42,7 +42,7 @@ Json point_json(const ChartPoint& point) {
             {"name", point.what.name},
             {"tie", point.tie},
             {"standing", enumerator_key(point.standing)},
-            {"left_out", point.left_out}};
+            {"left_out", brief_texts(point.left_out)}};
   if (point.upload_ms) {
     json["upload_ms"] = point.upload_ms->median;
     json["uploads_ms"] = point.uploads_ms;
@@ -84,7 +84,7 @@ std::string chart_csv(const Chart& chart) {
                             return std::vector<std::string>{
                                 point.tie ? "1" : "0", point.upload_ms ? shortest_text(point.upload_ms->median) : "",
                                 std::string(enumerator_key(point.standing)),
-                                fmt::format("{}", fmt::join(point.left_out, "; "))};
+                                fmt::format("{}", fmt::join(brief_texts(point.left_out), "; "))};
                           });
 }
 

@@ -84,7 +84,8 @@ ChartJson chart_picture_json(const ChartPoint& point) {
                  {"memory_mb", point.memory_mb},    {"prepare_ms", point.prepare_ms}};
   json["name"] = point.what.name;
   if (point.standing != Standing::compared) json["standing"] = enumerator_key(point.standing);
-  if (!point.left_out.empty()) json["left-out"] = point.left_out;
+  for (const LeftOutBrief& left : point.left_out)
+    json["left-out"].push_back({{"verb", enumerator_key(left.verb)}, {"words", left.words}});
   json["all-settings"] = changed_options(point.what.value);
   for (std::size_t i = 0; i < counter_count; ++i) {
     const auto counter = static_cast<Counter>(i);  // missing: the renderer cannot give it
@@ -101,7 +102,11 @@ ChartPoint chart_picture_from(const ChartJson& json, int points) {
   point.what.settings = json.at("settings");
   if (json.contains("standing"))
     point.standing = parse_enumerator<Standing>("standing", json.at("standing").get<std::string>());
-  if (json.contains("left-out")) point.left_out = json.at("left-out").get<std::vector<std::string>>();
+  for (const ChartJson& left : json.value("left-out", ChartJson::array()))
+    point.left_out.push_back(left.is_string()  // logs before the verb stood apart have the whole text
+                                 ? LeftOutBrief{BriefVerb::own, left}
+                                 : LeftOutBrief{parse_enumerator<BriefVerb>("verb", left.at("verb").get<std::string>()),
+                                                left.at("words")});
   for (const std::string assignment : json.at("all-settings")) parse_assignment(assignment, point.what.value);
   point.comparison = comparison_from_json(json.at("comparison"));
   point.memory_mb = json_number(json, "memory_mb", 0, largest_chart_memory_mb);

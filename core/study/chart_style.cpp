@@ -59,11 +59,11 @@ SweepNames chart_names(const Chart& chart) {
 
 std::string mark_label(const Chart& chart, const ChartPoint& point, const std::string& name) {
   std::vector<std::string> notes;
-  for (const std::string& left : point.left_out)
+  for (const LeftOutBrief& left : point.left_out)
     if (!std::all_of(chart.points.begin(), chart.points.end(), [&](const ChartPoint& other) {
           return std::find(other.left_out.begin(), other.left_out.end(), left) != other.left_out.end();
         }))
-      notes.push_back(left);
+      notes.push_back(brief_text(left));
   if (point.tie) notes.insert(notes.begin(), "tie");
   if (point.standing == Standing::truth) notes.insert(notes.begin(), "the truth");
   return notes.empty() ? name : fmt::format("{} ({})", name, fmt::join(notes, ", "));

@@ -72,7 +72,7 @@ std::vector<LeftOut> gaps_of_listing(const SceneTraits& traits, const Settings& 
     if (!gap.missing) continue;
     const bool rays = gap.remedy == in_space;
     all.push_back({gap.kind,
-                   fmt::format("leaves out {}", gap.what),
+                   {BriefVerb::leaves_out, std::string(gap.what)},
                    fmt::format("The listing of {} leaves out {}; {} shows that.", listing.source, gap.what, gap.remedy),
                    fmt::format("Leaves out {}: not in the listing of {}.", gap.what, listing.source),
                    {{rays ? "Ray tracer" : "Rasterizer", rays ? "renderer=ray-tracer" : "renderer=rasterizer"}}});

@@ -18,7 +18,7 @@ struct Given {
   std::vector<double> times_ms;
   double error = 0;
   Standing standing = Standing::compared;
-  std::vector<std::string> left_out{};
+  std::vector<LeftOutBrief> left_out{};
 };
 
 /// A chart of RMSE whose reference is uncertain by `noise`.
@@ -155,7 +155,8 @@ TEST(ChartConclusion, WhatShowsAnotherPictureOnPurposeHasNoOrder) {
 }
 
 TEST(ChartConclusion, PointsThatLeaveSomethingOutAreNamed) {
-  const std::vector<std::string> shadows{"leaves out shadows"}, both{"leaves out shadows", "leaves out CSG"};
+  const LeftOutBrief no_shadows{BriefVerb::leaves_out, "shadows"};
+  const std::vector<LeftOutBrief> shadows{no_shadows}, both{no_shadows, {BriefVerb::leaves_out, "CSG"}};
   EXPECT_TRUE(sentence({{"rays", {20, 20, 20}, 1}, {"rasterizer", {10, 10, 10}, 5, {}, shadows}})
                   .ends_with(" Rasterizer leaves out shadows."));
   EXPECT_TRUE(sentence({{"a", {20, 20, 20}, 1, {}, both}, {"b", {10, 10, 10}, 5, {}, both}})

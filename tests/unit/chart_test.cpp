@@ -339,7 +339,7 @@ TEST(Chart, RenderersAreHeldAgainstTheMeanOverThePixel) {
 TEST(Chart, PointsThatLeaveSomethingOutSaySo) {
   const Chart chart = swept_chart("cgfs/shadows", {"renderer=ray-tracer,rasterizer"});
   EXPECT_TRUE(chart.points[0].left_out.empty());
-  ASSERT_EQ(chart.points[1].left_out, std::vector<std::string>{"leaves out shadows"});
+  ASSERT_EQ(chart.points[1].left_out, (std::vector<LeftOutBrief>{{BriefVerb::leaves_out, "shadows"}}));
   EXPECT_EQ(mark_label(chart, chart.points[1], "rasterizer").find("rasterizer ("), 0u);
   for (const std::string& text : {chart_conclusion(chart).sentence, chart_csv(chart), chart_json(chart),
                                   chart_svg(chart), mark_label(chart, chart.points[1], "rasterizer")})

@@ -92,7 +92,7 @@ TEST(Listing, SaysThatIntensitiesAreLeftOut) {
     Settings settings = textbook(scene);
     parse_assignment(listing, settings);
     std::string all;
-    for (const LeftOut& one : left_out(scene_traits(scene), settings)) all += one.brief + ";";
+    for (const LeftOut& one : left_out(scene_traits(scene), settings)) all += brief_text(one.brief) + ";";
     return all;
   };
   const Scene shaded = load_scene("cgfs/shaded-triangle");

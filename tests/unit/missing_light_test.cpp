@@ -50,7 +50,7 @@ TEST(MissingLight, IsNamedWhereverThePictureIsBlack) {
             << renderer << " " << shown << " " << lights << ": " << words;
         EXPECT_EQ(words.find("No light") != std::string::npos, is_black(scene, settings)) << words;
         for (const LeftOut& one : left_out(scene_traits(scene), settings))
-          if (one.brief.find("black surfaces") != std::string::npos)
+          if (brief_text(one.brief).find("black surfaces") != std::string::npos)
             for (const Remedy& remedy : one.remedies) {
               Settings mended = settings;
               parse_assignment(remedy.setting, mended);

@@ -26,7 +26,7 @@ TEST(ShadowMapListing, SaysThatPointLightsCastNoShadows) {
     Settings settings = textbook(scene);
     parse_assignment("listing=cgfs-15-shadows-in-the-rasterizer", settings);
     std::string all;
-    for (const LeftOut& one : left_out(scene_traits(scene), settings)) all += one.brief + ";";
+    for (const LeftOut& one : left_out(scene_traits(scene), settings)) all += brief_text(one.brief) + ";";
     return all;
   };
   EXPECT_EQ(left_out_by("cgfs/shading"), "leaves out shadows of point lights;");

@@ -13,7 +13,7 @@ std::vector<LeftOut> left_out_by_fragments(const SceneTraits& traits, const Sett
   std::vector<LeftOut> all;
   if (traits.csg)
     all.push_back({LeftOutKind::objects,
-                   "leaves out CSG",
+                   {BriefVerb::leaves_out, "CSG"},
                    fmt::format("{} leaves out CSG objects, whose surfaces are computed per ray and not as triangles. "
                                "Set renderer = ray-tracer to see them.",
                                subject),
@@ -24,7 +24,7 @@ std::vector<LeftOut> left_out_by_fragments(const SceneTraits& traits, const Sett
     std::vector<Remedy> remedies{rays};
     if (may_blend) remedies.push_back({"Blending", "blending=sorted"});
     all.push_back(
-        {LeftOutKind::effect, "shows transparent surfaces as opaque",
+        {LeftOutKind::effect, {BriefVerb::own, "shows transparent surfaces as opaque"},
          fmt::format("{} shows transparent surfaces as opaque, or cuts them out where an opacity map is below "
                      "1/2. Set renderer = ray-tracer, or blending = sorted with the rasterizer, to see through them.",
                      subject),
@@ -32,7 +32,7 @@ std::vector<LeftOut> left_out_by_fragments(const SceneTraits& traits, const Sett
   }
   if (traits.light_maps && settings.textures && settings.lighting && settings.shading != Shading::phong)
     all.push_back({LeftOutKind::effect,
-                   "leaves out specular maps",
+                   {BriefVerb::leaves_out, "specular maps"},
                    fmt::format("{} leaves out maps of highlights and ambient light with flat or Gouraud shading. Set "
                                "shading = phong to see them.",
                                subject),
@@ -41,7 +41,7 @@ std::vector<LeftOut> left_out_by_fragments(const SceneTraits& traits, const Sett
   if (asks_for_shadows(traits, settings) && settings.shadows == Shadows::traced)
     all.push_back(
         {LeftOutKind::effect,
-         "leaves out shadows",
+         {BriefVerb::leaves_out, "shadows"},
          fmt::format("{} has no shadow rays, so shadows = traced leaves out the shadows. Set shadows = map or "
                      "stencil-depth-fail to see them.",
                      subject),
@@ -50,7 +50,7 @@ std::vector<LeftOut> left_out_by_fragments(const SceneTraits& traits, const Sett
   if (asks_for_reflections(traits, settings) && settings.environment == Environment::none)
     all.push_back(
         {LeftOutKind::effect,
-         "leaves out reflections",
+         {BriefVerb::leaves_out, "reflections"},
          fmt::format("{} traces no reflected rays, so it leaves out reflections. Set environment = cube-map to "
                      "see them.",
                      subject),
@@ -59,7 +59,7 @@ std::vector<LeftOut> left_out_by_fragments(const SceneTraits& traits, const Sett
   if (asks_for_reflections(traits, settings) && traits.dynamic && settings.environment != Environment::none &&
       settings.environment_objects == EnvironmentObjects::fixed)
     all.push_back({LeftOutKind::effect,
-                   "leaves dynamic objects out of mirrors",
+                   {BriefVerb::own, "leaves dynamic objects out of mirrors"},
                    fmt::format("{} leaves dynamic objects out of the environment maps, so no mirror shows them. Set "
                                "environment-objects = all to see them there.",
                                subject),
@@ -75,7 +75,7 @@ std::optional<LeftOut> rounded_by_fragments(const SceneTraits& traits, const Set
   const bool places_count = traits.point_lights || traits.specular || traits.textures || traits.reflective;
   if (!settings.camera_relative || !traits.rounds_places || !places_count) return {};
   return LeftOut{LeftOutKind::effect,
-                 "rounds places in float",
+                 {BriefVerb::own, "rounds places in float"},
                  fmt::format("{} rounds the points of surfaces: they lie too far from the scene's middle, or between "
                              "vertices that do. The scene needs precision = double.",
                              subject),

@@ -15,7 +15,7 @@ namespace ps::hardware_left_out_test {
 namespace {
 
 bool says(const std::vector<LeftOut>& all, const std::string& brief) {
-  return std::any_of(all.begin(), all.end(), [&](const LeftOut& one) { return one.brief == brief; });
+  return std::any_of(all.begin(), all.end(), [&](const LeftOut& one) { return brief_text(one.brief) == brief; });
 }
 
 TEST(HardwareLeftOut, EveryRemedyShowsWhatIsLeftOut) {
@@ -33,7 +33,7 @@ TEST(HardwareLeftOut, EveryRemedyShowsWhatIsLeftOut) {
       for (const Remedy& remedy : one.remedies) {
         Settings mended = settings;
         parse_assignment(remedy.setting, mended);
-        EXPECT_FALSE(says(left_out(traits, mended), one.brief)) << name << ": " << remedy.setting;
+        EXPECT_FALSE(says(left_out(traits, mended), brief_text(one.brief))) << name << ": " << remedy.setting;
         if (mended.renderer != hardware) continue;
         ++own;
         const View view{scene.camera, 60, 60};

@@ -63,7 +63,7 @@ std::optional<float> notice(Session& session, Side side, const LeftOut& one, ImV
 
 LeftOutTexts left_out_texts(const std::vector<LeftOut>& all) {
   LeftOutTexts texts;
-  std::vector<std::string> briefs;
+  std::vector<LeftOutBrief> briefs;
   for (const LeftOut& one : all) {
     briefs.push_back(one.brief);
     texts.sentences += (texts.sentences.empty() ? "" : "\n") + one.sentence;

@@ -64,7 +64,7 @@ void numbers(const Chart& chart, const ChartPoint& point) {
   const std::string error = std::isfinite(point.error) ? fmt::format("{:.4g}", point.error) : "infinite: no error";
   line(title.c_str(), point.standing == Standing::truth ? "none: it is the truth itself" : error);
   if (point.standing == Standing::other_picture) line("shows", "another picture on purpose");
-  for (const std::string& left : point.left_out) line("renderer", left);
+  for (const std::string& left : brief_texts(point.left_out)) line("renderer", left);
   if (point.work) line("work", fmt::format("{:.3g} million", 1e-6 * static_cast<double>(*point.work)));
   line("memory", fmt::format("{:.3g} MB", point.memory_mb));
   if (point.tie) line("tie", "noise decides whether it lies on the front");

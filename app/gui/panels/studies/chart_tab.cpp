@@ -342,7 +342,7 @@ std::optional<std::string> point_value(const Chart& chart, std::string_view name
     if (what == "on-front") return script_text(point.on_front);
     if (what == "tie") return script_text(point.tie);
     if (what == "standing") return std::string(enumerator_key(point.standing));
-    if (what == "left-out") return fmt::format("{}", fmt::join(point.left_out, "; "));
+    if (what == "left-out") return fmt::format("{}", fmt::join(brief_texts(point.left_out), "; "));
     if (what == "runs") return script_text(static_cast<int>(point.samples_ms.size()));
   }
   return {};
