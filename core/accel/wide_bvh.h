@@ -11,19 +11,19 @@
 
 namespace ps {
 
-inline constexpr int wide_width = 8;        ///< children of a node
-inline constexpr int wide_block_width = 4;  ///< triangles of a block
+inline constexpr int wide_width = 8;   ///< children of a node
+inline constexpr int block_width = 8;  ///< triangles of a block
 
 /// A child of a node: another node, or a leaf of one to `wide_leaf_blocks` blocks. Of a node its index.
 using WideChild = std::uint32_t;
-inline constexpr std::uint32_t wide_leaf_blocks = 8;
+inline constexpr std::uint32_t wide_leaf_blocks = 4;
 inline constexpr WideChild wide_leaf_flag = 0x80000000u;
-inline constexpr int wide_count_shift = 28;  ///< three bits: the leaf's blocks less one
+inline constexpr int wide_count_shift = 29;  ///< two bits: the leaf's blocks less one
 /// As many triangles as one leaf holds.
-inline constexpr std::uint32_t wide_leaf_size = wide_leaf_blocks * wide_block_width;
+inline constexpr std::uint32_t wide_leaf_size = wide_leaf_blocks * block_width;
 inline bool is_leaf(WideChild child) { return (child & wide_leaf_flag) != 0; }
 inline std::uint32_t leaf_first(WideChild child) { return child & ((1u << wide_count_shift) - 1); }
-inline std::uint32_t leaf_count(WideChild child) { return ((child >> wide_count_shift) & 7u) + 1; }
+inline std::uint32_t leaf_count(WideChild child) { return ((child >> wide_count_shift) & 3u) + 1; }
 inline WideChild wide_leaf(std::uint32_t first, std::uint32_t count) {
   return wide_leaf_flag | ((count - 1) << wide_count_shift) | first;
 }
@@ -50,20 +50,16 @@ WideNode empty_wide_node();
 void put_box(WideNode& node, std::size_t slot, const Box<float>& box);
 void order_children(WideNode& node, std::size_t count);
 
-/// Triangles of a block where there is no tree.
-inline constexpr int list_block_width = 8;
-
 /// A triangle's vertices, and its index among all primitives.
 struct WideTriangle {
   Vec3f a, b, c;
   std::uint32_t primitive = 0;
 };
 
-/// Vertices of `width` triangles side by side. Places without a triangle hold NaN, which no test accepts.
-template <int width>
-struct alignas(32) TriangleBlock {
-  float corner[3][3][width];  ///< [corner a b c][axis][lane]
-  std::uint32_t primitive[width];
+/// Vertices of triangles side by side. Places without a triangle hold NaN, which no test accepts.
+struct alignas(64) TriangleBlock {
+  float corner[3][3][block_width];  ///< [corner a b c][axis][lane]
+  std::uint32_t primitive[block_width];
 
   void clear() {
     for (auto& axes : corner)
@@ -82,7 +78,7 @@ struct alignas(32) TriangleBlock {
 
 /// Triangles without a tree: for a search that tests them all.
 struct TriangleList {
-  LargeArray<TriangleBlock<list_block_width>> blocks;
+  LargeArray<TriangleBlock> blocks;
 
   std::size_t heap_bytes() const { return owned_bytes(blocks); }
 };
@@ -90,7 +86,7 @@ struct TriangleList {
 /// A tree eight wide over triangles, for queries of single rays with SIMD. Node 0 is the root.
 struct WideBvh {
   LargeArray<WideNode> nodes;
-  LargeArray<TriangleBlock<wide_block_width>> blocks;
+  LargeArray<TriangleBlock> blocks;
   Vec3f centre{0};  ///< the planes of the nodes are as seen from here (see_from())
   /// More entries can never wait while one ray is followed; a leaf too large for one child makes a node more.
   static constexpr int most_waiting = (bvh_max_depth + 32) * (wide_width - 1) + 1;

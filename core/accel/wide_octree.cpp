@@ -33,7 +33,7 @@ class OctreeWidener {
   void reserve_blocks() {
     std::size_t blocks = 1;
     for (const OctreeNode<float>& cell : octree_.nodes)
-      if (cell.leaf) blocks += (cell.count + wide_block_width - 1) / wide_block_width;
+      if (cell.leaf) blocks += (cell.count + block_width - 1) / block_width;
     wide_.blocks.reserve(blocks + blocks / 16);
   }
 
@@ -75,7 +75,7 @@ class OctreeWidener {
     Box<float> box;
     const auto first = static_cast<std::uint32_t>(wide_.blocks.size());
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-      const std::size_t lane = i % wide_block_width;
+      const std::size_t lane = i % block_width;
       if (lane == 0) wide_.blocks.emplace_back().clear();
       wide_.blocks.back().put(lane, triangles[i]);
       for (const Vec3f& corner : {triangles[i].a, triangles[i].b, triangles[i].c}) box.include(corner);

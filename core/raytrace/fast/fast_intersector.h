@@ -35,9 +35,9 @@ class ClearTests final : public SingleTests {
   const Clear& clear_;
 };
 
-/// The fast paths' search: triangles with SIMD, four or eight at a time, for one ray or for eight rays of neighbouring
-/// pixels; everything else by the clear path's tests. It finds the hits of the clear path (clear/intersector.h), to the
-/// last bit.
+/// The fast paths' search: triangles with SIMD, eight at a time for one ray, or one by one for many rays of
+/// neighbouring pixels; everything else by the clear path's tests. It finds the hits of the clear path
+/// (clear/intersector.h), to the last bit.
 class FastIntersector final : public RaySearch<float> {
  public:
   FastIntersector(const TraceInputs<float>& inputs, const WideInputs& wide, CountingRecorder& recorder)

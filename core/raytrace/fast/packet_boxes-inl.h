@@ -91,12 +91,12 @@ class Beam {
   using B = hn::Vec<Boxes>;
   HWY_INLINE Beam(const WidePacket& packet, const Vec3f& centre, const BoxAxes& rays)
       : x_(side(packet, centre, 0, rays.x)), y_(side(packet, centre, 1, rays.y)), z_(side(packet, centre, 2, rays.z)) {}
-  /// Bit i: some ray may meet box i before `limit`.
-  HWY_INLINE unsigned meets(const WideNode& node, float before) const {
+  /// Bit i: some ray may meet box i before `limit`; planes as in WideNode::planes.
+  HWY_INLINE unsigned meets(const float (&planes)[6][wide_width], float before) const {
     const Boxes d;
     const B limit = hn::Set(d, before);
-    const B first = hn::Max(x_.entered(node), hn::Max(y_.entered(node), hn::Max(z_.entered(node), hn::Zero(d))));
-    const B last = hn::Min(x_.left(node), hn::Min(y_.left(node), hn::Min(z_.left(node), limit)));
+    const B first = hn::Max(x_.entered(planes), hn::Max(y_.entered(planes), hn::Max(z_.entered(planes), hn::Zero(d))));
+    const B last = hn::Min(x_.left(planes), hn::Min(y_.left(planes), hn::Min(z_.left(planes), limit)));
     return bits_of(d, hn::Le(first, hn::Mul(last, hn::Set(d, 1.00001f))));
   }
 
@@ -105,11 +105,11 @@ class Beam {
     B fastest, slowest;  ///< 1 / direction, of the rays for which it is smallest and largest
     B near, far;         ///< the origin's parts, as in RayAxis
     std::size_t near_plane, far_plane;
-    HWY_INLINE B entered(const WideNode& node) const {
-      return hn::MulSub(hn::Load(Boxes(), node.planes[near_plane]), fastest, near);
+    HWY_INLINE B entered(const float (&planes)[6][wide_width]) const {
+      return hn::MulSub(hn::Load(Boxes(), planes[near_plane]), fastest, near);
     }
-    HWY_INLINE B left(const WideNode& node) const {
-      return hn::MulSub(hn::Load(Boxes(), node.planes[far_plane]), slowest, far);
+    HWY_INLINE B left(const float (&planes)[6][wide_width]) const {
+      return hn::MulSub(hn::Load(Boxes(), planes[far_plane]), slowest, far);
     }
   };
   static HWY_INLINE Side side(const WidePacket& packet, const Vec3f& centre, std::size_t axis, const RayAxis& rays) {

@@ -39,14 +39,13 @@ HWY_INLINE bool take(M inside, V t, V w0, V w1, V w2, std::uint32_t primitive, V
   return true;
 }
 
-inline Vec3f corner(const TriangleBlock<wide_block_width>& block, int corner, std::uint32_t lane) {
+inline Vec3f corner(const TriangleBlock& block, int corner, std::uint32_t lane) {
   const auto& axes = block.corner[corner];
   return {axes[0][lane], axes[1][lane], axes[2][lane]};
 }
 
 /// Those of the rays in `inside` for which the triangle counts.
-inline HWY_NOINLINE M filtered(M inside, const TriangleBlock<wide_block_width>& block, std::uint32_t lane,
-                               const WidePacket& packet) {
+inline HWY_NOINLINE M filtered(M inside, const TriangleBlock& block, std::uint32_t lane, const WidePacket& packet) {
   const D d;
   unsigned bits = bits_of(d, inside);
   const TracedTriangle<float> triangle{corner(block, 0, lane), corner(block, 1, lane), corner(block, 2, lane), -1};
@@ -66,18 +65,38 @@ enum class Origins { one, many };
 template <SimdTriangleTest test, Origins origins>
 struct Triangles;
 
-using OfBlock = hn::CappedTag<float, wide_block_width>;
+using OfBlock = hn::CappedTag<float, block_width>;
 using PointsOfBlock = Vec3Lanes<OfBlock>;
 
-HWY_INLINE PointsOfBlock corners(const TriangleBlock<wide_block_width>& block, int corner) {
+/// The places that hold triangles, bit i meaning place i.
+HWY_INLINE unsigned filled(const TriangleBlock& block) {
+  const hn::Rebind<std::uint32_t, OfBlock> d;
+  return bits_of(d, hn::Ne(hn::Load(d, block.primitive), hn::Set(d, no_primitive)));
+}
+
+/// Those places of a block whose triangle a ray of the beam may meet before `limit`: by the triangles' boxes, which
+/// have the pad of a leaf's. A packet is narrow beside a leaf of eight triangles, and passes most of them by.
+HWY_INLINE unsigned perhaps_met(const TriangleBlock& block, const Beam& beam, const Vec3f& centre, float limit) {
+  const OfBlock d;
+  HWY_ALIGN float planes[6][block_width];
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto corner = [&](int i) HWY_ATTR { return hn::Load(d, block.corner[i][axis]); };
+    const auto a = corner(0), b = corner(1), c = corner(2), middle = hn::Set(d, centre[axis]);
+    hn::Store(hn::Sub(hn::Min(hn::Min(a, b), c), middle), d, planes[2 * axis]);
+    hn::Store(hn::Sub(hn::Max(hn::Max(a, b), c), middle), d, planes[2 * axis + 1]);
+  }
+  return filled(block) & beam.meets(planes, limit);
+}
+
+HWY_INLINE PointsOfBlock corners(const TriangleBlock& block, int corner) {
   const OfBlock d;
   const auto& axes = block.corner[corner];
   return {hn::Load(d, axes[0]), hn::Load(d, axes[1]), hn::Load(d, axes[2])};
 }
 
 /// A vector for each triangle of a block, to be read for all rays.
-struct alignas(16) EachTriangle {
-  float x[wide_block_width], y[wide_block_width], z[wide_block_width];
+struct alignas(32) EachTriangle {
+  float x[block_width], y[block_width], z[block_width];
   HWY_INLINE void set(const PointsOfBlock& points) {
     const OfBlock d;
     hn::Store(points.x, d, x);
@@ -103,9 +122,9 @@ struct Triangles<SimdTriangleTest::moeller_trumbore, origins> {
   /// What does not depend on the ray.
   struct Shared {
     EachTriangle a, edge_b, edge_c, s, q;
-    HWY_ALIGN float t_part[wide_block_width];
+    HWY_ALIGN float t_part[block_width];
   };
-  HWY_INLINE void share(const TriangleBlock<wide_block_width>& block, Shared& shared) const {
+  HWY_INLINE void share(const TriangleBlock& block, Shared& shared) const {
     const PointsOfBlock a = corners(block, 0);
     const PointsOfBlock edge_b = subtract(corners(block, 1), a), edge_c = subtract(corners(block, 2), a);
     shared.edge_b.set(edge_b);
@@ -120,8 +139,7 @@ struct Triangles<SimdTriangleTest::moeller_trumbore, origins> {
   }
 
   /// Says whether a ray's best has changed.
-  HWY_INLINE bool test(const TriangleBlock<wide_block_width>& block, const Shared& shared, std::uint32_t lane,
-                       Best& best) const {
+  HWY_INLINE bool test(const TriangleBlock& block, const Shared& shared, std::uint32_t lane, Best& best) const {
     const D d;
     const V zero = hn::Zero(d), one = all(1);
     const P edge_b = shared.edge_b.of(lane), edge_c = shared.edge_c.of(lane);
@@ -174,7 +192,7 @@ struct Triangles<SimdTriangleTest::watertight, origins> {
   struct Shared {
     EachTriangle corner[3];
   };
-  HWY_INLINE void share(const TriangleBlock<wide_block_width>& block, Shared& shared) const {
+  HWY_INLINE void share(const TriangleBlock& block, Shared& shared) const {
     const PointsOfBlock origin =
         same_in_lanes<OfBlock>({packet.origin[0][0], packet.origin[1][0], packet.origin[2][0]});
     for (int i = 0; i < 3; ++i)
@@ -183,7 +201,7 @@ struct Triangles<SimdTriangleTest::watertight, origins> {
 
   HWY_INLINE P sheared(const Shared& shared, int corner, std::uint32_t lane) const {
     const float* const numbers = shared.corner[corner].x + lane;
-    const auto along = [&](int axis) HWY_ATTR { return all(numbers[axis * wide_block_width]); };
+    const auto along = [&](int axis) HWY_ATTR { return all(numbers[axis * block_width]); };
     const bool one = origins == Origins::one;
     const V x = one ? along(first.kx) : hn::Sub(along(first.kx), origin_x);
     const V y = one ? along(first.ky) : hn::Sub(along(first.ky), origin_y);
@@ -193,8 +211,7 @@ struct Triangles<SimdTriangleTest::watertight, origins> {
   HWY_INLINE static V edge(const P& p, const P& q) { return hn::Sub(hn::Mul(p.x, q.y), hn::Mul(p.y, q.x)); }
 
   /// Says whether a ray's best has changed.
-  HWY_INLINE bool test(const TriangleBlock<wide_block_width>& block, const Shared& shared, std::uint32_t lane,
-                       Best& best) const {
+  HWY_INLINE bool test(const TriangleBlock& block, const Shared& shared, std::uint32_t lane, Best& best) const {
     const D d;
     const V zero = hn::Zero(d);
     const P a = sheared(shared, 0, lane), b = sheared(shared, 1, lane), c = sheared(shared, 2, lane);
@@ -215,8 +232,7 @@ struct Triangles<SimdTriangleTest::watertight, origins> {
   }
 
   /// Where an edge function is 0, double decides: the clear path knows how.
-  HWY_NOINLINE bool test_one_by_one(const TriangleBlock<wide_block_width>& block, std::uint32_t lane,
-                                    Best& best) const {
+  HWY_NOINLINE bool test_one_by_one(const TriangleBlock& block, std::uint32_t lane, Best& best) const {
     const D d;
     const TracedTriangle<float> triangle{corner(block, 0, lane), corner(block, 1, lane), corner(block, 2, lane), -1};
     HWY_ALIGN float inside[width], t[width], weights[3][width];

@@ -26,7 +26,8 @@ template <class Block>
 HWY_INLINE void fetch_soon(const WideNode* nodes, const Block* blocks, WideChild child) {
   const char* const begin = is_leaf(child) ? reinterpret_cast<const char*>(blocks + leaf_first(child))
                                            : reinterpret_cast<const char*>(nodes + child);
-  for (std::size_t line = 0; line < sizeof(WideNode); line += 64) hwy::Prefetch(begin + line);
+  const std::size_t bytes = is_leaf(child) ? sizeof(Block) : sizeof(WideNode);
+  for (std::size_t line = 0; line < bytes; line += 64) hwy::Prefetch(begin + line);
 }
 
 }  // namespace ps::HWY_NAMESPACE

@@ -96,7 +96,7 @@ std::shared_ptr<const ListGeometry> list_geometry(const Scene& scene, const Trac
         list.others.push_back(i);
         continue;
       }
-      const std::size_t lane = triangles++ % list_block_width;
+      const std::size_t lane = triangles++ % block_width;
       if (lane == 0) list.triangles.blocks.emplace_back().clear();
       list.triangles.blocks.back().put(lane, wide_triangle(geometry, i));
     }

@@ -20,15 +20,14 @@ namespace ps::HWY_NAMESPACE {
 namespace {
 
 /// placed_corner() for the triangles of a block: the same operations in the same order.
-HWY_INLINE void place_block(const ModelBlock& model, const WideInstance& instance,
-                            TriangleBlock<wide_block_width>& placed) {
-  using D = hn::CappedTag<double, wide_block_width>;
+HWY_INLINE void place_block(const ModelBlock& model, const WideInstance& instance, TriangleBlock& placed) {
+  using D = hn::CappedTag<double, block_width>;
   const D d;
   const hn::Rebind<float, D> f;
   const auto& [scale, rotation, translation] =
       std::tie(instance.transform.scale, instance.transform.rotation, instance.transform.translation);
   for (int corner = 0; corner < 3; ++corner)
-    for (std::size_t lane = 0; lane < wide_block_width; lane += hn::Lanes(d)) {
+    for (std::size_t lane = 0; lane < block_width; lane += hn::Lanes(d)) {
       const auto& axes = model.corner[corner];
       const auto x = hn::Mul(hn::Set(d, scale.x), hn::Load(d, axes[0] + lane));
       const auto y = hn::Mul(hn::Set(d, scale.y), hn::Load(d, axes[1] + lane));
@@ -40,7 +39,7 @@ HWY_INLINE void place_block(const ModelBlock& model, const WideInstance& instanc
         hn::Store(hn::DemoteTo(f, hn::Add(turned, hn::Set(d, translation[row]))), f, placed.corner[corner][row] + lane);
       }
     }
-  for (int lane = 0; lane < wide_block_width; ++lane) placed.primitive[lane] = instance.first + model.triangle[lane];
+  for (int lane = 0; lane < block_width; ++lane) placed.primitive[lane] = instance.first + model.triangle[lane];
 }
 
 /// Could the numbers of boxes overflow? See FastIntersector::suits_tree().
@@ -96,11 +95,10 @@ class Searcher {
         if (triangle != no_primitive) found |= single_.test(query_.ray, instance.first + triangle, best_);
       return found;
     }
-    TriangleBlock<wide_block_width> placed;
+    TriangleBlock placed;
     place_block(block, instance, placed);
-    count_.triangles += wide_block_width;
-    for (int lane = 0; lane < wide_block_width; lane += Block<wide_block_width>::lanes)
-      found |= triangles_.test(placed, lane, query_, best_);
+    count_.triangles += block_width;
+    for (int lane = 0; lane < block_width; lane += Block::lanes) found |= triangles_.test(placed, lane, query_, best_);
     return found;
   }
 
@@ -116,7 +114,7 @@ class Searcher {
   const WideInstances& all_;
   const WideQuery& query_;
   const SingleTests& single_;
-  const BlockRay<test, wide_block_width> triangles_;
+  const BlockRay<test> triangles_;
   Hit<float>& best_;
   WideCount& count_;
 };

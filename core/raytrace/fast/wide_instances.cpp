@@ -69,7 +69,7 @@ WideModel wide_model(const Mesh& mesh, const Bvh<float>& tree) {
   model.blocks.resize(ranges.size());
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     ModelBlock& block = model.blocks[i];
-    for (std::uint32_t lane = 0; lane < wide_block_width; ++lane) {
+    for (std::uint32_t lane = 0; lane < block_width; ++lane) {
       const bool used = lane < ranges[i].count;
       block.triangle[lane] = used ? tree.order[ranges[i].first + lane] : no_primitive;
       for (std::size_t corner = 0; corner < 3; ++corner)

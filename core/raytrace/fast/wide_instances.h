@@ -10,9 +10,9 @@
 namespace ps {
 
 /// Vertices of a model's triangles side by side, in the model's space. Places without a triangle hold NaN.
-struct alignas(32) ModelBlock {
-  double corner[3][3][wide_block_width];  ///< [corner a b c][axis][lane]
-  std::uint32_t triangle[wide_block_width];
+struct alignas(64) ModelBlock {
+  double corner[3][3][block_width];  ///< [corner a b c][axis][lane]
+  std::uint32_t triangle[block_width];
 };
 
 /// A model's tree eight wide, kept once for all its instances.
@@ -53,7 +53,7 @@ class SingleTests {
   virtual bool test(const Ray<float>& ray, std::uint32_t number, Hit<float>& best) const = 0;
 };
 
-/// Improves `best` by the nearest triangle of an instance, or by any. Vertices are placed in the world four triangles
+/// Improves `best` by the nearest triangle of an instance, or by any. Vertices are placed in the world eight triangles
 /// at a time, by the operations of placed_corner(), so hits are those of the unfolded triangles to the last bit. The
 /// query's filter must leave out triangles without area.
 using InstanceSearch = void (*)(const WideInstances& all, const WideQuery& query, const SingleTests& single,

@@ -127,6 +127,12 @@ HWY_NOINLINE void search_from(const WideBvh& bvh, const WidePacket& packet, Wide
   const I i;
   const BoxAxes rays(packet, bvh.centre);
   const Beam beam(packet, bvh.centre, rays);
+  const unsigned own = (1u << packet.count) - 1;
+  float limit = hn::GetLane(hn::MaxOfLanes(d, hn::Load(d, hits.t.data())));
+  if (origins == Origins::one && beam.meets(bvh.nodes[0].planes, limit) == 0) {  // as many do, beside the models
+    count.nodes += hwy::PopCount(own);
+    return;
+  }
   const std::size_t octant = (rays.x.near_plane & 1u) | (rays.y.near_plane & 1u) << 1 | (rays.z.near_plane & 1u) << 2;
   const Triangles<test, origins> triangles(packet);
   Best best{
@@ -143,20 +149,21 @@ HWY_NOINLINE void search_from(const WideBvh& bvh, const WidePacket& packet, Wide
   WideChild current = 0;
   // The lanes whose rays are in the box of `current` before what they have met. Work counts for these alone: it is what
   // the same rays do one by one.
-  const unsigned own = (1u << packet.count) - 1;
   unsigned active = own;
-  float limit = hn::GetLane(hn::MaxOfLanes(d, best.t));
   while (true) {
     if (is_leaf(current)) {
-      const TriangleBlock<wide_block_width>* const blocks = &bvh.blocks[leaf_first(current)];
+      const TriangleBlock* const blocks = &bvh.blocks[leaf_first(current)];
       const std::uint32_t number = leaf_count(current);
-      count.triangles += hwy::PopCount(active & own) * number * wide_block_width;
+      count.triangles += hwy::PopCount(active & own) * number * block_width;
       bool improved = false;
       for (std::uint32_t b = 0; b < number; ++b) {
+        unsigned perhaps =
+            origins == Origins::one ? perhaps_met(blocks[b], beam, bvh.centre, limit) : filled(blocks[b]);
+        if (perhaps == 0) continue;
         typename Triangles<test, origins>::Shared shared;
         triangles.share(blocks[b], shared);
-        for (std::uint32_t lane = 0; lane < wide_block_width && blocks[b].primitive[lane] != no_primitive; ++lane)
-          improved |= triangles.test(blocks[b], shared, lane, best);
+        for (; perhaps != 0; perhaps &= perhaps - 1)
+          improved |= triangles.test(blocks[b], shared, hwy::Num0BitsBelowLS1Bit_Nonzero32(perhaps), best);
       }
       if (improved) limit = hn::GetLane(hn::MaxOfLanes(d, best.t));
     } else {
@@ -164,7 +171,7 @@ HWY_NOINLINE void search_from(const WideBvh& bvh, const WidePacket& packet, Wide
       count.nodes += hwy::PopCount(active & own);
       const std::size_t before = top;
       const std::uint32_t order = node.order[octant];
-      for (unsigned places = places_of(order, origins == Origins::one ? beam.meets(node, limit) : 0xffu);
+      for (unsigned places = places_of(order, origins == Origins::one ? beam.meets(node.planes, limit) : 0xffu);
            places != 0;) {
         const std::size_t place = 31 - hwy::Num0BitsAboveMS1Bit_Nonzero32(places);  // the nearest last
         places ^= 1u << place;

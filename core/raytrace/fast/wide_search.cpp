@@ -24,18 +24,19 @@ enum class Find { nearest, any };
 
 template <SimdTriangleTest test, Find find, Filtered filtered>
 HWY_NOINLINE void search_tree(const WideBvh& bvh, const WideQuery& query, Hit<float>& best, WideCount& count) {
-  const BlockRay<test, wide_block_width> triangles(query);
-  const TriangleBlock<wide_block_width>* const blocks = bvh.blocks.data();
+  const BlockRay<test> triangles(query);
+  const TriangleBlock* const blocks = bvh.blocks.data();
   std::uint64_t block_tests = 0;
   const auto test_blocks = [&](std::uint32_t first, std::uint32_t number) HWY_ATTR {
     block_tests += number;
     bool found = false;
     for (std::uint32_t i = 0; i < number; ++i)
-      found |= triangles.template test<filtered>(blocks[first + i], 0, query, best);
+      for (int lane = 0; lane < block_width; lane += Block::lanes)
+        found |= triangles.template test<filtered>(blocks[first + i], lane, query, best);
     return found;
   };
   walk_nodes<find == Find::any>(bvh.nodes.data(), blocks, BoxRay(query, bvh.centre), best, count.nodes, test_blocks);
-  count.triangles += wide_block_width * block_tests;
+  count.triangles += block_width * block_tests;
 }
 
 template <SimdTriangleTest test, Find find>
@@ -44,13 +45,20 @@ void search(const WideBvh& bvh, const WideQuery& query, Hit<float>& best, WideCo
   chosen(bvh, query, best, count);
 }
 
+/// Where nothing else turns triangles away, most blocks are passed.
+template <SimdTriangleTest test>
+HWY_INLINE bool test_listed(const BlockRay<test>& ray, const TriangleBlock& block, int lane, const WideQuery& query,
+                            Hit<float>& best) {
+  return !ray.passes_all(block, lane) && ray.test(block, lane, query, best);
+}
+
 template <SimdTriangleTest test, Find find>
 void search_list(const TriangleList& list, const WideQuery& query, Hit<float>& best, WideCount& count) {
-  const BlockRay<test, list_block_width> triangles(query);
-  for (const TriangleBlock<list_block_width>& block : list.blocks) {
-    count.triangles += list_block_width;
-    for (int lane = 0; lane < list_block_width; lane += Block<list_block_width>::lanes)
-      if (triangles.test(block, lane, query, best) && find == Find::any) return;
+  const BlockRay<test> triangles(query);
+  for (const TriangleBlock& block : list.blocks) {
+    count.triangles += block_width;
+    for (int lane = 0; lane < block_width; lane += Block::lanes)
+      if (test_listed(triangles, block, lane, query, best) && find == Find::any) return;
   }
 }
 
@@ -62,14 +70,14 @@ BlockRays block_rays(std::span<const WideQuery> queries, std::index_sequence<ind
 template <SimdTriangleTest test>
 void search_list_for_many(const TriangleList& list, std::span<const WideQuery> queries, std::span<Hit<float>> best,
                           WideCount& count) {
-  using Ray = BlockRay<test, list_block_width>;
+  using Ray = BlockRay<test>;
   const auto rays =
       block_rays<std::array<Ray, most_list_queries>>(queries, std::make_index_sequence<most_list_queries>());
-  for (const TriangleBlock<list_block_width>& block : list.blocks)
+  for (const TriangleBlock& block : list.blocks)
     for (std::size_t i = 0; i < queries.size(); ++i)
-      for (int lane = 0; lane < list_block_width; lane += Block<list_block_width>::lanes)
-        rays[i].test(block, lane, queries[i], best[i]);
-  count.triangles += queries.size() * list_block_width * list.blocks.size();
+      for (int lane = 0; lane < block_width; lane += Block::lanes)
+        test_listed(rays[i], block, lane, queries[i], best[i]);
+  count.triangles += queries.size() * block_width * list.blocks.size();
 }
 
 template <SimdTriangleTest test>

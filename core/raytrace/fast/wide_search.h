@@ -8,9 +8,9 @@
 
 namespace ps {
 
-/// The fast path for triangles: single rays through a tree eight wide, four triangles at a time, or past all triangles,
-/// eight at a time. Only boxes are tested differently from the clear path; a triangle's t and weights come from the
-/// same operations in the same order, and the lowest primitive wins ties, so both find the same hit to the last bit.
+/// The fast path for triangles: single rays through a tree eight wide, or past all triangles, eight triangles at a
+/// time. Only boxes are tested differently from the clear path; a triangle's t and weights come from the same
+/// operations in the same order, and the lowest primitive wins ties, so both find the same hit to the last bit.
 
 /// Which triangles count besides: those that have a back let rays pass from there.
 class TriangleFilter {

@@ -16,17 +16,16 @@ HWY_BEFORE_NAMESPACE();
 namespace ps::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Vectors for blocks of `width` triangles. Where a register holds fewer, a block is tested in parts.
-template <int width>
+/// Vectors for blocks of triangles. Where a register holds fewer, a block is tested in parts.
 struct Block {
-  using D = hn::CappedTag<float, width>;
+  using D = hn::CappedTag<float, block_width>;
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
-  static constexpr int lanes = HWY_TARGET == HWY_SSE4 && width > 4 ? 4 : width;
+  static constexpr int lanes = HWY_TARGET == HWY_SSE4 ? 4 : block_width;
   using Point = Vec3Lanes<D>;
 
   static HWY_INLINE V all(float value) { return hn::Set(D(), value); }
-  static HWY_INLINE Point corner(const TriangleBlock<width>& block, int corner, int lane) {
+  static HWY_INLINE Point corner(const TriangleBlock& block, int corner, int lane) {
     const D d;
     const auto& axes = block.corner[corner];
     return {hn::Load(d, axes[0] + lane), hn::Load(d, axes[1] + lane), hn::Load(d, axes[2] + lane)};
@@ -43,8 +42,7 @@ struct Block {
   }
 };
 
-template <int width>
-HWY_INLINE TracedTriangle<float> triangle_in(const TriangleBlock<width>& block, int lane) {
+HWY_INLINE TracedTriangle<float> triangle_in(const TriangleBlock& block, int lane) {
   TracedTriangle<float> triangle;
   for (int axis = 0; axis < 3; ++axis) {
     triangle.a[axis] = block.corner[0][axis][lane];
@@ -55,13 +53,12 @@ HWY_INLINE TracedTriangle<float> triangle_in(const TriangleBlock<width>& block, 
 }
 /// Whether a test asks WideQuery::filter. Code in which it never does keeps more numbers in registers.
 enum class Filtered { no, yes };
-template <int width>
-HWY_NOINLINE bool asks_filter(const TriangleBlock<width>& block, const WideQuery& query, int lane) {
+HWY_NOINLINE inline bool asks_filter(const TriangleBlock& block, const WideQuery& query, int lane) {
   return query.filter->counts(query.ray.direction, block.primitive[lane], triangle_in(block, lane));
 }
 
-template <Filtered filtered, int width>
-HWY_INLINE bool passes_filter(const TriangleBlock<width>& block, const WideQuery& query, int lane) {
+template <Filtered filtered>
+HWY_INLINE bool passes_filter(const TriangleBlock& block, const WideQuery& query, int lane) {
   return filtered == Filtered::no || query.filter == nullptr || asks_filter(block, query, lane);
 }
 
@@ -83,22 +80,22 @@ HWY_INLINE bool take_best(const std::uint32_t* primitives, unsigned bits, const 
   return taken;
 }
 
-template <SimdTriangleTest test, int width>
+template <SimdTriangleTest test>
 struct BlockRay;
 
-template <int width>
-struct BlockRay<SimdTriangleTest::moeller_trumbore, width> {
-  using My = Block<width>;
-  using D = typename My::D;
-  using V = typename My::V;
-  using M = typename My::M;
-  using Point = typename My::Point;
+template <>
+struct BlockRay<SimdTriangleTest::moeller_trumbore> {
+  using My = Block;
+  using D = My::D;
+  using V = My::V;
+  using M = My::M;
+  using Point = My::Point;
   explicit BlockRay(const WideQuery& query)
       : origin{My::all(query.ray.origin.x), My::all(query.ray.origin.y), My::all(query.ray.origin.z)},
         direction{My::all(query.ray.direction.x), My::all(query.ray.direction.y), My::all(query.ray.direction.z)} {}
 
   template <Filtered filtered = Filtered::yes>
-  HWY_INLINE bool test(const TriangleBlock<width>& block, int from, const WideQuery& query, Hit<float>& best) const {
+  HWY_INLINE bool test(const TriangleBlock& block, int from, const WideQuery& query, Hit<float>& best) const {
     const D d;
     const V zero = hn::Zero(d);
     const Point a = My::corner(block, 0, from);
@@ -127,7 +124,7 @@ struct BlockRay<SimdTriangleTest::moeller_trumbore, width> {
     const V t = hn::Div(t_part, determinant);
     const unsigned bits = My::bits(hn::And(inside, My::in_range(t, query.ray, best)));
     if (bits == 0) return false;
-    HWY_ALIGN float ts[width], us[width], vs[width];
+    HWY_ALIGN float ts[block_width], us[block_width], vs[block_width];
     hn::Store(t, d, ts);
     hn::Store(u, d, us);
     hn::Store(v, d, vs);
@@ -136,15 +133,18 @@ struct BlockRay<SimdTriangleTest::moeller_trumbore, width> {
     return take_best(block.primitive + from, bits, ts, query, best, weights, confirmed);
   }
 
+  /// This test has no shorter form.
+  HWY_INLINE static bool passes_all(const TriangleBlock&, int) { return false; }
+
   Point origin, direction;
 };
 
-template <int width>
-struct BlockRay<SimdTriangleTest::watertight, width> {
-  using My = Block<width>;
-  using D = typename My::D;
-  using V = typename My::V;
-  using M = typename My::M;
+template <>
+struct BlockRay<SimdTriangleTest::watertight> {
+  using My = Block;
+  using D = My::D;
+  using V = My::V;
+  using M = My::M;
   explicit BlockRay(const WideQuery& query) : shear(query.ray.direction) {
     for (int axis = 0; axis < 3; ++axis) origin[axis] = query.ray.origin[axis];
   }
@@ -152,7 +152,7 @@ struct BlockRay<SimdTriangleTest::watertight, width> {
   struct Sheared {
     V x, y, far;  ///< far: along the ray, before the scale
   };
-  HWY_INLINE Sheared sheared(const TriangleBlock<width>& block, int corner, int from) const {
+  HWY_INLINE Sheared sheared(const TriangleBlock& block, int corner, int from) const {
     const D d;
     const V x = hn::Sub(hn::Load(d, block.corner[corner][shear.kx] + from), My::all(origin[shear.kx]));
     const V y = hn::Sub(hn::Load(d, block.corner[corner][shear.ky] + from), My::all(origin[shear.ky]));
@@ -165,7 +165,7 @@ struct BlockRay<SimdTriangleTest::watertight, width> {
   HWY_NOINLINE static void decide_in_double(unsigned lanes, const Sheared& a, const Sheared& b, const Sheared& c, V& u,
                                             V& v, V& w) {
     const D d;
-    HWY_ALIGN float numbers[6][width], edges[3][width];
+    HWY_ALIGN float numbers[6][block_width], edges[3][block_width];
     const V sources[6] = {a.x, a.y, b.x, b.y, c.x, c.y};
     for (int i = 0; i < 6; ++i) hn::Store(sources[i], d, numbers[i]);
     hn::Store(u, d, edges[0]);
@@ -189,7 +189,7 @@ struct BlockRay<SimdTriangleTest::watertight, width> {
   /// Do all triangles lie on one side of the ray, as seen along the axis kx? Then no test would accept any: with the
   /// signs of its own numbers u * ax + v * bx + w * cx = 0, so u, v and w cannot have one sign unless all are 0. (Their
   /// signs are exact, but for underflow, which leaves no area.)
-  HWY_INLINE bool passes_all(const TriangleBlock<width>& block, int from) const {
+  HWY_INLINE bool passes_all(const TriangleBlock& block, int from) const {
     const D d;
     const V zero = hn::Zero(d), origin_x = My::all(origin[shear.kx]), origin_z = My::all(origin[shear.kz]);
     const V shear_x = My::all(shear.x);
@@ -204,10 +204,9 @@ struct BlockRay<SimdTriangleTest::watertight, width> {
   }
 
   template <Filtered filtered = Filtered::yes>
-  HWY_INLINE bool test(const TriangleBlock<width>& block, int from, const WideQuery& query, Hit<float>& best) const {
+  HWY_INLINE bool test(const TriangleBlock& block, int from, const WideQuery& query, Hit<float>& best) const {
     const D d;
     const V zero = hn::Zero(d);
-    if (width == list_block_width && passes_all(block, from)) return false;  // most, where nothing else turns them away
     const Sheared a = sheared(block, 0, from), b = sheared(block, 1, from), c = sheared(block, 2, from);
     V u = edge(c, b), v = edge(a, c), w = edge(b, a);
     const M on_edge = hn::Or(hn::Or(hn::Eq(u, zero), hn::Eq(v, zero)), hn::Eq(w, zero));
@@ -224,7 +223,7 @@ struct BlockRay<SimdTriangleTest::watertight, width> {
     const M sure = hn::Ne(determinant, zero);
     const unsigned bits = My::bits(hn::And(hn::And(inside, sure), My::in_range(t, query.ray, best)));
     if (bits == 0) return false;
-    HWY_ALIGN float ts[width], us[width], vs[width], ws[width], sums[width];
+    HWY_ALIGN float ts[block_width], us[block_width], vs[block_width], ws[block_width], sums[block_width];
     hn::Store(t, d, ts);
     hn::Store(u, d, us);
     hn::Store(v, d, vs);
@@ -239,7 +238,7 @@ struct BlockRay<SimdTriangleTest::watertight, width> {
   }
 
   /// For the few candidates of rays that leave a surface: is t beyond its own rounding error? The clear path knows.
-  HWY_NOINLINE bool unguarded(const TriangleBlock<width>& block, const WideQuery& query, int lane) const {
+  HWY_NOINLINE bool unguarded(const TriangleBlock& block, const WideQuery& query, int lane) const {
     return triangle_watertight(query.ray.origin, shear, triangle_in(block, lane), TriangleGuard::rounding_of_t)
                .verdict == TriangleVerdict::inside;
   }

@@ -87,7 +87,7 @@ double OurRays::bytes_per_triangle() const {
                       geometry.attributes.size() * sizeof(TriangleAttributes<float>);
   if (content_->wide)
     bytes += content_->wide->wide->triangles.nodes.size() * sizeof(WideNode) +
-             content_->wide->wide->triangles.blocks.size() * sizeof(TriangleBlock<wide_block_width>);
+             content_->wide->wide->triangles.blocks.size() * sizeof(TriangleBlock);
   return static_cast<double>(bytes) / static_cast<double>(geometry.triangles.size());
 }
 
