@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "base/available_memory.h"
@@ -75,10 +76,21 @@ EGLConfig choose_config(EGLDisplay display, Api api, bool needs_surface) {
   return config;
 }
 
-/// Empty if all went well, otherwise the reason.
-std::string open_context(const Display& way, Api api, EGLContext& context, EGLSurface& surface) {
+struct EglVersion {
   EGLint major = 0, minor = 0;
-  if (way.display == EGL_NO_DISPLAY || !eglInitialize(way.display, &major, &minor)) return "no driver";
+};
+
+/// nullopt: no driver starts there.
+std::optional<EglVersion> start_driver(const Display& way) {
+  EglVersion version;
+  if (way.display == EGL_NO_DISPLAY || !eglInitialize(way.display, &version.major, &version.minor)) return {};
+  return version;
+}
+
+/// Empty if all went well, otherwise the reason.
+std::string open_context(const Display& way, const EglVersion& version, Api api, EGLContext& context,
+                         EGLSurface& surface) {
+  const auto [major, minor] = version;
   if (major == 1 && minor < 4) return fmt::format("EGL is {}.{}, not 1.4", major, minor);
   const auto display_has = [&](const char* name) { return epoxy_has_egl_extension(way.display, name); };
   const bool versions = (major == 1 && minor >= 5) || major > 1 || display_has("EGL_KHR_create_context");
@@ -138,23 +150,28 @@ Driver ask_driver(const std::string& platform, Api api) {
 
 Context::Context(Api api) : api_(api), handles_(std::make_unique<Handles>()) {
   if (!epoxy_has_egl()) throw InputError("no OpenGL: the library libEGL is not installed");
-  std::string reason = "no driver";
+  std::string reason;  // of the last driver that started
   for (const auto& open : ways()) {
     const Display way = open();
+    const std::optional<EglVersion> version = start_driver(way);
+    if (!version) continue;
     EGLContext context = EGL_NO_CONTEXT;
     EGLSurface surface = EGL_NO_SURFACE;
-    const std::string failure = open_context(way, api, context, surface);
+    const std::string failure = open_context(way, *version, api, context, surface);
     if (failure.empty()) {
       *handles_ = {way.display, context, surface};
       driver_ = ask_driver(way.platform, api);
       return;
     }
-    if (failure != "no driver") reason = failure;  // what is nearest to working is the better reason
+    reason = failure;
     if (context != EGL_NO_CONTEXT) eglDestroyContext(way.display, context);
   }
   constexpr std::uint64_t plenty = 1u << 30;
-  if (const auto left = available_memory(); reason == "no driver" && left && *left < plenty)
-    reason += fmt::format(" starts in the {} MB of memory that are left", *left >> 20);
+  if (reason.empty()) {
+    reason = "no driver";
+    if (const auto left = available_memory(); left && *left < plenty)
+      reason += fmt::format(" starts in the {} MB of memory that are left", *left >> 20);
+  }
   throw InputError(fmt::format("no OpenGL: {}", reason));
 }
 
