@@ -48,13 +48,6 @@ std::string check_places(const Image<unsigned char>& places, std::string& found)
   return share > most_of_places ? "more than half of the pixels are right" : "";
 }
 
-/// "It is 3 rays"
-std::string pixel_answer(Question about, const PixelStory& story, const Scene& scene) {
-  // An answer that cannot be right, so that the sentence names the right one.
-  const std::string sentence = judge(about, Guess{{-1, -1, -1}, -2, -1, -2, -1}, story, scene).sentence;
-  return sentence.substr(0, sentence.find("; you said"));
-}
-
 std::string check_pixel(const LessonQuestion& question, Progress& progress, std::string& found) {
   const Document document = state_document(question.state, Document{});
   if (document.pixel.x < 0) return "no pixel is picked";
@@ -62,7 +55,7 @@ std::string check_pixel(const LessonQuestion& question, Progress& progress, std:
   const PixelStory story = inspect(document.scene, view_of(document), side_of(document, document.picked).settings,
                                    document.pixel, prepared, progress);
   if (const auto objection = not_askable(question.about, story)) return std::string(*objection);
-  found = pixel_answer(question.about, story, document.scene);
+  found = right_answer_text(question.about, story, document.scene);
   return {};
 }
 
@@ -136,7 +129,7 @@ std::string right_sentence(const LessonQuestion& question, const MeasuredAnswer&
 
 std::string right_sentence(const LessonQuestion& question, const PixelStory& story, const Scene& scene) {
   if (not_askable(question.about, story)) return {};
-  return fmt::format("{}.{}", pixel_answer(question.about, story, scene), ending(question.why));
+  return fmt::format("{}.{}", right_answer_text(question.about, story, scene), ending(question.why));
 }
 
 std::string check_question(const LessonQuestion& question, Progress& progress, std::string& found,

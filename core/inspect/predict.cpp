@@ -25,16 +25,38 @@ std::string object_text(int object, const Scene& scene) {
 
 std::string levels_text(const std::array<int, 3>& c) { return fmt::format("{} {} {}", c[0], c[1], c[2]); }
 
-Judgement judge_colour(const Guess& guess, const PixelStory& story) {
-  int apart = 0;
-  for (std::size_t i = 0; i < 3; ++i) apart = std::max(apart, std::abs(guess.colour[i] - story.display[i]));
-  Judgement judgement;
-  judgement.points =
-      std::clamp(1.0 - static_cast<double>(apart - right_within) / (wrong_beyond - right_within), 0.0, 1.0);
-  judgement.sentence = apart == 0 ? fmt::format("Right: {}.", levels_text(story.display))
-                                  : fmt::format("It is {}; you said {}, {} level{} off.", levels_text(story.display),
-                                                levels_text(guess.colour), apart, apart == 1 ? "" : "s");
-  return judgement;
+std::string triangle_text(const PixelId& id, const Scene& scene) {
+  return id.object < 0 ? object_text(id.object, scene) : primitive_name(scene, id);
+}
+
+std::string counted_text(int count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+/// What someone said, with its unit.
+std::string said_text(Question question, const Guess& guess, const Scene& scene) {
+  switch (question) {
+  case Question::colour:
+    return levels_text(guess.colour);
+  case Question::winner:
+    return object_text(guess.object, scene);
+  case Question::triangle:
+    return triangle_text({guess.object, guess.triangle}, scene);
+  case Question::rays:
+    return counted_text(guess.rays, "ray");
+  case Question::tests:
+    return counted_text(guess.tests, "test");
+  }
+  return {};
+}
+
+double points_of_colour(int apart) {
+  return std::clamp(1.0 - static_cast<double>(apart - right_within) / (wrong_beyond - right_within), 0.0, 1.0);
+}
+
+double points_of_tests(int said, int tests) {
+  const bool close = std::abs(said - tests) <= tests / 20, near = said <= 2 * tests && 2 * said >= tests;
+  return close ? 1.0 : near ? 0.5 : 0.0;
 }
 
 }  // namespace
@@ -65,14 +87,6 @@ std::optional<std::uint64_t> counted_rays(const PixelStory& story) {
 
 std::optional<std::uint64_t> counted_tests(const PixelStory& story) {
   return sum_of(story, {Counter::sphere_tests, Counter::triangle_tests, Counter::solid_tests});
-}
-
-Judgement judge_tests(const Guess& guess, const PixelStory& story) {
-  const int tests = tests_of(story), apart = std::abs(guess.tests - tests);
-  const auto plural = [](int count) { return fmt::format("{} test{}", count, count == 1 ? "" : "s"); };
-  if (apart == 0) return {1, fmt::format("Right: {}.", plural(tests))};
-  const bool close = apart <= tests / 20, near = guess.tests <= 2 * tests && 2 * guess.tests >= tests;
-  return {close ? 1.0 : near ? 0.5 : 0.0, fmt::format("It is {}; you said {}.", plural(tests), plural(guess.tests))};
 }
 
 }  // namespace
@@ -119,53 +133,76 @@ int tests_of(const PixelStory& story) {
 
 std::string guess_text(Question question, const Guess& guess, const Scene& scene) {
   switch (question) {
-  case Question::colour:
-    return fmt::format("{} {} {}", guess.colour[0], guess.colour[1], guess.colour[2]);
-  case Question::winner:
-    return object_text(guess.object, scene);
-  case Question::triangle:
-    return guess.object < 0 ? object_text(-1, scene) : primitive_name(scene, {guess.object, guess.triangle});
   case Question::rays:
     return fmt::format("{}", guess.rays);
   case Question::tests:
     return fmt::format("{}", guess.tests);
+  case Question::colour:
+  case Question::winner:
+  case Question::triangle:
+    return said_text(question, guess, scene);
   }
   return {};
 }
 
-Judgement judge(Question question, const Guess& guess, const PixelStory& story, const Scene& scene) {
+Guess right_guess(Question question, const PixelStory& story) {
+  Guess right;
   switch (question) {
   case Question::colour:
-    return judge_colour(guess, story);
-  case Question::winner: {
-    const int winner = winner_of(story);
-    const bool right = guess.object == winner;
-    return {right ? 1.0 : 0.0, right ? fmt::format("Right: {}.", object_text(winner, scene))
-                                     : fmt::format("It is {}; you said {}.", object_text(winner, scene),
-                                                   object_text(guess.object, scene))};
-  }
-  case Question::triangle: {
-    const PixelId shown = shown_triangle(story), said{guess.object, guess.triangle};
-    const auto words = [&](const PixelId& id) {
-      return id.object < 0 ? std::string("the background") : primitive_name(scene, id);
-    };
-    const bool right = said == shown;
-    return {right ? 1.0 : 0.0, right ? fmt::format("Right: {}.", words(shown))
-                                     : fmt::format("It is {}; you said {}.", words(shown), words(said))};
-  }
+    right.colour = story.display;
+    break;
+  case Question::winner:
+    right.object = winner_of(story);
+    break;
+  case Question::triangle:
+    right.object = shown_triangle(story).object;
+    right.triangle = shown_triangle(story).triangle;
+    break;
+  case Question::rays:
+    right.rays = rays_of(story);
+    break;
   case Question::tests:
-    return judge_tests(guess, story);
-  case Question::rays: {
-    const int rays = rays_of(story), apart = std::abs(guess.rays - rays);
-    const auto plural = [](int count) { return fmt::format("{} ray{}", count, count == 1 ? "" : "s"); };
-    return {apart == 0   ? 1.0
-            : apart == 1 ? 0.5
-                         : 0.0,
-            apart == 0 ? fmt::format("Right: {}.", plural(rays))
-                       : fmt::format("It is {}; you said {}.", plural(rays), plural(guess.rays))};
+    right.tests = tests_of(story);
+    break;
   }
+  return right;
+}
+
+std::string right_answer_text(Question question, const PixelStory& story, const Scene& scene) {
+  return fmt::format("It is {}", said_text(question, right_guess(question, story), scene));
+}
+
+Judgement judge(Question question, const Guess& guess, const PixelStory& story, const Scene& scene) {
+  const Guess right = right_guess(question, story);
+  int apart = 0;  // by how much the guess is wrong; 0 if it is right
+  double points = 0;
+  std::string off;
+  switch (question) {
+  case Question::colour:
+    for (std::size_t i = 0; i < 3; ++i) apart = std::max(apart, std::abs(guess.colour[i] - right.colour[i]));
+    points = points_of_colour(apart);
+    off = ", " + counted_text(apart, "level") + " off";
+    break;
+  case Question::winner:
+    apart = guess.object == right.object ? 0 : 1;
+    points = 1 - apart;
+    break;
+  case Question::triangle:
+    apart = guess.object == right.object && guess.triangle == right.triangle ? 0 : 1;
+    points = 1 - apart;
+    break;
+  case Question::rays:
+    apart = std::abs(guess.rays - right.rays);
+    points = apart == 0 ? 1.0 : apart == 1 ? 0.5 : 0.0;
+    break;
+  case Question::tests:
+    apart = std::abs(guess.tests - right.tests);
+    points = points_of_tests(guess.tests, right.tests);
+    break;
   }
-  return {};
+  if (apart == 0) return {points, fmt::format("Right: {}.", said_text(question, right, scene))};
+  return {points, fmt::format("{}; you said {}{}.", right_answer_text(question, story, scene),
+                              said_text(question, guess, scene), off)};
 }
 
 }  // namespace ps

@@ -55,6 +55,10 @@ int rays_of(const PixelStory& story);
 /// are not among them.
 int tests_of(const PixelStory& story);
 
+/// The answer that is right, and "It is 3 rays".
+Guess right_guess(Question question, const PixelStory& story);
+std::string right_answer_text(Question question, const PixelStory& story, const Scene& scene);
+
 /// Compares the guess with the story. A colour earns a full point within 4 levels in every channel, and none beyond 64;
 /// a number of rays half a point if it is off by one; a number of tests a full one within 5 %, half within a factor
 /// of 2.
