@@ -27,14 +27,21 @@ int largest(const Levels& levels) {
   return most;
 }
 
-/// "the highlight of light 1 (point)" for the row of its specular term; else what stands before the product.
-std::string row_name(std::string_view term) {
-  const std::string_view light = term.substr(0, term.find(": "));
-  if (!light.starts_with("light ")) return std::string(term);
-  for (const auto& [end, word] : {std::pair<std::string_view, std::string_view>{" specular", "highlight"},
-                                  std::pair<std::string_view, std::string_view>{" diffuse", "diffuse light"}})
-    if (light.ends_with(end)) return fmt::format("the {} of {}", word, light.substr(0, light.size() - end.size()));
-  return std::string(light);
+/// "the highlight of light 1 (point)" for the row of its specular term; else what stands in it.
+std::string row_name(const LedgerLine& line) {
+  switch (line.light_term) {
+  case LightTerm::specular:
+    return "the highlight of " + line.light;
+  case LightTerm::diffuse:
+    return "the diffuse light of " + line.light;
+  case LightTerm::ambient:
+    return "the ambient light of " + line.light;
+  case LightTerm::whole:
+    return line.light;
+  case LightTerm::none:
+    return line.term;
+  }
+  return {};
 }
 
 class TermSearch {
@@ -142,12 +149,12 @@ class TermSearch {
       return amount + ": no row of the sum, and no two rows together, left out or counted twice, make this difference.";
     if (result_.change == MissingTerm::Change::unmixed)
       return fmt::format("{}: that is {} counted whole, and nothing reflected.", amount,
-                         row_name(story_.ledger[result_.named.front()].term));
+                         row_name(story_.ledger[result_.named.front()]));
     const bool twice = result_.change == MissingTerm::Change::counted_twice;
     std::string rows;
     for (const std::size_t line : result_.named) {
       const TermRow& row = row_of(line);
-      rows += fmt::format("{}{}, {}", rows.empty() ? "" : ", and ", row_name(story_.ledger[line].term),
+      rows += fmt::format("{}{}, {}", rows.empty() ? "" : ", and ", row_name(story_.ledger[line]),
                           std::abs((twice ? row.again : row.adds)[channel]));
     }
     return fmt::format("{}: that is {}{}.", amount, rows, twice ? ", counted twice" : "");

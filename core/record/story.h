@@ -14,11 +14,16 @@ struct ListingTrace;
 
 /// One line of the sum that makes the pixel's colour. `level` indents; a line's value is the sum of the lines one level
 /// deeper that follow it, where there are any. Lines of level 0 add up to the pixel.
+/// Which term of a light's a line is.
+enum class LightTerm { none, whole, ambient, diffuse, specular };
+
 struct LedgerLine {
   int level = 0;
   std::string term;      ///< "light 1 diffuse: 0.6 x 0.49 x red"
   Vec3d value{0, 0, 0};  ///< what it adds to the pixel, linear
   int event = -1;        ///< index of the event it comes from
+  LightTerm light_term = LightTerm::none;
+  std::string light{};  ///< of a light's term: "light 1 (point)"
 };
 
 /// All that one click reports, in the order in which it happened.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/enumerators.h"
 #include "record/value_text.h"
 #include "render/story/light_words.h"
 #include "render/story/names.h"
@@ -48,19 +49,23 @@ std::vector<LedgerLine> terms_of_light(const PixelStory& story, const Scene& sce
   const auto& light = event_as<LightEvent>(story.events, index);
   const std::string name = light_name(scene, light.light);
   const Light source = light_of(scene, light.light);
-  const auto line = [&](std::string_view term, double intensity, const Vec3d& tint, const Vec3d& surface) {
+  const auto line = [&](LightTerm term, double intensity, const Vec3d& tint, const Vec3d& surface) {
+    const std::string kind = term == LightTerm::whole ? "" : fmt::format(" {}", enumerator_key(term));
     const std::string product = product_text(share, intensity, tint, surface);
-    return LedgerLine{level, fmt::format("{}{}: {}", name, term, product), share * intensity * tint * surface, index};
+    const Vec3d value = share * intensity * tint * surface;
+    return LedgerLine{level, fmt::format("{}{}: {}", name, kind, product), value, index, term, name};
   };
   std::vector<LedgerLine> lines;
   if (light.kind == LightKind::ambient) {
-    if (!adds_nothing(light.diffuse)) lines.push_back(line("", light.diffuse, source.colour, colours.ambient));
+    if (!adds_nothing(light.diffuse))
+      lines.push_back(line(LightTerm::whole, light.diffuse, source.colour, colours.ambient));
   } else {
     if (!adds_nothing(light.ambient))
-      lines.push_back(line(" ambient", light.ambient, source.ambient_colour, colours.ambient));
-    if (!adds_nothing(light.diffuse)) lines.push_back(line(" diffuse", light.diffuse, source.colour, colours.diffuse));
+      lines.push_back(line(LightTerm::ambient, light.ambient, source.ambient_colour, colours.ambient));
+    if (!adds_nothing(light.diffuse))
+      lines.push_back(line(LightTerm::diffuse, light.diffuse, source.colour, colours.diffuse));
     if (!adds_nothing(light.specular))
-      lines.push_back(line(" specular", light.specular, highlight_colour(source), colours.specular));
+      lines.push_back(line(LightTerm::specular, light.specular, highlight_colour(source), colours.specular));
   }
   if (lines.empty())
     lines.push_back(
