@@ -122,7 +122,8 @@ std::string origin_text(const FaceData& face) {
 std::string facing_text(const FaceData& face) {
   const std::string away = vertices_facing_away(face);
   if (away.empty()) return {};
-  const bool one = away.starts_with("vertex");
+  const bool one = std::count_if(face.corners.begin(), face.corners.end(),
+                                 [](const FaceCorner& corner) { return corner.faces_away; }) == 1;
   return fmt::format("the normal{} of {} face{} away from {} face", one ? "" : "s", away, one ? "s" : "",
                      one ? "its" : "their");
 }

@@ -57,7 +57,7 @@ AddedRenderer constant_renderer() {
                   .left_out =
                       [](const SceneTraits&, const Settings&) {
                         return std::vector<LeftOut>{{LeftOutKind::objects,
-                                                     "leaves out everything",
+                                                     {BriefVerb::leaves_out, "everything"},
                                                      "A constant colour leaves out everything but the background.",
                                                      "Nothing but the background.",
                                                      {}}};
