@@ -33,7 +33,7 @@ std::string counted_text(int count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-/// What someone said, with its unit.
+/// A guess in words, with its unit.
 std::string said_text(Question question, const Guess& guess, const Scene& scene) {
   switch (question) {
   case Question::colour:

@@ -103,10 +103,10 @@ ChartPoint chart_picture_from(const ChartJson& json, int points) {
   if (json.contains("standing"))
     point.standing = parse_enumerator<Standing>("standing", json.at("standing").get<std::string>());
   for (const ChartJson& left : json.value("left-out", ChartJson::array()))
-    point.left_out.push_back(left.is_string()  // logs before the verb stood apart have the whole text
-                                 ? LeftOutBrief{BriefVerb::own, left}
-                                 : LeftOutBrief{parse_enumerator<BriefVerb>("verb", left.at("verb").get<std::string>()),
-                                                left.at("words")});
+    point.left_out.push_back(
+        left.is_string()  // logs before the verb stood apart have the whole text
+            ? LeftOutBrief{BriefVerb::own, left}
+            : LeftOutBrief{parse_enumerator<BriefVerb>("verb", left.at("verb").get<std::string>()), left.at("words")});
   for (const std::string assignment : json.at("all-settings")) parse_assignment(assignment, point.what.value);
   point.comparison = comparison_from_json(json.at("comparison"));
   point.memory_mb = json_number(json, "memory_mb", 0, largest_chart_memory_mb);

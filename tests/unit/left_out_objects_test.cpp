@@ -160,7 +160,8 @@ TEST(LeftOutObjects, EveryRemedyEndsWhatItIsOfferedFor) {
             Settings mended = settings;
             parse_assignment(remedy.setting, mended);
             for (const LeftOut& still : left_out(traits, mended))
-              EXPECT_NE(brief_text(still.brief), brief_text(one.brief)) << built_in.name << ", " << start << ", " << remedy.setting;
+              EXPECT_NE(brief_text(still.brief), brief_text(one.brief))
+                  << built_in.name << ", " << start << ", " << remedy.setting;
             tried.insert(remedy.setting);
           }
         }

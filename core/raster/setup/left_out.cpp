@@ -24,11 +24,13 @@ std::vector<LeftOut> left_out_by_fragments(const SceneTraits& traits, const Sett
     std::vector<Remedy> remedies{rays};
     if (may_blend) remedies.push_back({"Blending", "blending=sorted"});
     all.push_back(
-        {LeftOutKind::effect, {BriefVerb::own, "shows transparent surfaces as opaque"},
+        {LeftOutKind::effect,
+         {BriefVerb::own, "shows transparent surfaces as opaque"},
          fmt::format("{} shows transparent surfaces as opaque, or cuts them out where an opacity map is below "
                      "1/2. Set renderer = ray-tracer, or blending = sorted with the rasterizer, to see through them.",
                      subject),
-         "No transparency: it needs rays, or blending.", std::move(remedies)});
+         "No transparency: it needs rays, or blending.",
+         std::move(remedies)});
   }
   if (traits.light_maps && settings.textures && settings.lighting && settings.shading != Shading::phong)
     all.push_back({LeftOutKind::effect,
