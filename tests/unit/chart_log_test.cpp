@@ -13,6 +13,7 @@
 #include "options/scene_settings.h"
 #include "scene/load.h"
 #include "study/chart_files.h"
+#include "study/chart_log_lines.h"
 #include "study/missing_points.h"
 #include "support/refusal.h"
 #include "support/run_cli.h"
@@ -194,6 +195,16 @@ TEST(ChartLog, WhatNoChartWritesIsNamedWithItsLine) {
   const Chart resumed = measure_logged(whole.scratch.path());
   EXPECT_EQ(resumed.damage.size(), 1u);
   EXPECT_EQ(log_lines_of(whole.log.string() + ".damaged"), std::vector<std::string>{deep});
+}
+
+/// Older logs have the texts whole.
+TEST(ChartLog, KeepsWhatIsLeftOutAndReadsItFromOlderLogs) {
+  ChartPoint point;
+  point.left_out = {{BriefVerb::leaves_out, "shadows"}, {BriefVerb::own, "rounds places in float"}};
+  nlohmann::ordered_json json = chart_picture_json(point);
+  EXPECT_EQ(chart_picture_from(json, 1).left_out, point.left_out);
+  json["left-out"] = {"leaves out shadows", "rounds places in float"};
+  EXPECT_EQ(brief_texts(chart_picture_from(json, 1).left_out), brief_texts(point.left_out));
 }
 
 TEST(ChartLog, WithoutItsFirstLineALogIsRefusedAndStays) {
