@@ -8,7 +8,6 @@
 
 #include "base/check.h"
 #include "base/enumerators.h"
-#include "inspect/guess_text.h"
 #include "inspect/vertex_chain.h"
 #include "options/renderer_kind.h"
 #include "render/story/names.h"
@@ -31,23 +30,6 @@ std::string triangle_text(const PixelId& id, const Scene& scene) {
 
 std::string counted_text(int count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
-/// A guess in words, with its unit.
-std::string said_text(Question question, const Guess& guess, const Scene& scene) {
-  switch (question) {
-  case Question::colour:
-    return levels_text(guess.colour);
-  case Question::winner:
-    return object_text(guess.object, scene);
-  case Question::triangle:
-    return triangle_text({guess.object, guess.triangle}, scene);
-  case Question::rays:
-    return counted_text(guess.rays, "ray");
-  case Question::tests:
-    return counted_text(guess.tests, "test");
-  }
-  return {};
 }
 
 double points_of_colour(int apart) {
@@ -133,14 +115,16 @@ int tests_of(const PixelStory& story) {
 
 std::string guess_text(Question question, const Guess& guess, const Scene& scene) {
   switch (question) {
-  case Question::rays:
-    return fmt::format("{}", guess.rays);
-  case Question::tests:
-    return fmt::format("{}", guess.tests);
   case Question::colour:
+    return levels_text(guess.colour);
   case Question::winner:
+    return object_text(guess.object, scene);
   case Question::triangle:
-    return said_text(question, guess, scene);
+    return triangle_text({guess.object, guess.triangle}, scene);
+  case Question::rays:
+    return counted_text(guess.rays, "ray");
+  case Question::tests:
+    return counted_text(guess.tests, "test");
   }
   return {};
 }
@@ -169,7 +153,7 @@ Guess right_guess(Question question, const PixelStory& story) {
 }
 
 std::string right_answer_text(Question question, const PixelStory& story, const Scene& scene) {
-  return fmt::format("It is {}", said_text(question, right_guess(question, story), scene));
+  return fmt::format("It is {}", guess_text(question, right_guess(question, story), scene));
 }
 
 Judgement judge(Question question, const Guess& guess, const PixelStory& story, const Scene& scene) {
@@ -200,9 +184,9 @@ Judgement judge(Question question, const Guess& guess, const PixelStory& story, 
     points = points_of_tests(guess.tests, right.tests);
     break;
   }
-  if (apart == 0) return {points, fmt::format("Right: {}.", said_text(question, right, scene))};
+  if (apart == 0) return {points, fmt::format("Right: {}.", guess_text(question, right, scene))};
   return {points, fmt::format("{}; you said {}{}.", right_answer_text(question, story, scene),
-                              said_text(question, guess, scene), off)};
+                              guess_text(question, guess, scene), off)};
 }
 
 }  // namespace ps

@@ -55,6 +55,9 @@ int rays_of(const PixelStory& story);
 /// are not among them.
 int tests_of(const PixelStory& story);
 
+/// A guess in words: "51 0 0", "'red'", "4 rays".
+std::string guess_text(Question question, const Guess& guess, const Scene& scene);
+
 /// The answer that is right, and "It is 3 rays".
 Guess right_guess(Question question, const PixelStory& story);
 std::string right_answer_text(Question question, const PixelStory& story, const Scene& scene);

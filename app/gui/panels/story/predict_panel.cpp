@@ -8,7 +8,6 @@
 #include "engine/screen_names.h"
 #include "gui/base/region_names.h"
 #include "gui/widgets/draw.h"
-#include "inspect/guess_text.h"
 #include "render/story/names.h"
 
 namespace ps::gui {
