@@ -10,6 +10,7 @@ std::string brief_text(const LeftOutBrief& brief) {
 
 std::vector<std::string> brief_texts(const std::vector<LeftOutBrief>& briefs) {
   std::vector<std::string> texts;
+  texts.reserve(briefs.size());
   for (const LeftOutBrief& brief : briefs) texts.push_back(brief_text(brief));
   return texts;
 }
