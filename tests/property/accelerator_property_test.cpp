@@ -285,6 +285,27 @@ TEST(Accelerators, RaysPastEverythingTogetherFindWhatEachFinds) {
   expect_same_hits_together(Accelerator::none, Simd::sse4);
 }
 
+/// A packet that passes the model is done at the root, which counts once for each of its rays.
+TEST(Accelerators, RaysThatMissTogetherCountTheRootEach) {
+  const Scene scene = aimed_scene(places[0], 81);
+  Prepared prepared;
+  const TraceInputs<float> inputs = make_trace_inputs<float>(scene, View{}, Settings{}, prepared);
+  const std::optional<WideInputs> wide = wide_inputs(scene, inputs, prepared);
+  if (!wide || !wide->packets.nearest) GTEST_SKIP() << "this processor does not search for rays together";
+  CountingRecorder work;
+  const FastIntersector packets(inputs, *wide, work);
+  std::array<Ray<float>, most_in_packet> rays;
+  std::array<Hit<float>, most_in_packet> hits;
+  for (std::size_t i = 0; i < most_in_packet; ++i) {
+    rays[i].origin = Vec3f(100, 100, 100);
+    rays[i].direction = Vec3f(1, 1 + 0.01f * static_cast<float>(i), 2);
+  }
+  packets.nearest_of_each(rays, hits);
+  for (const Hit<float>& hit : hits) EXPECT_FALSE(hit.found());
+  EXPECT_EQ(work.counters[Counter::node_visits], most_in_packet);
+  EXPECT_EQ(work.counters[Counter::triangle_tests], 0u);
+}
+
 /// Boxes are grown by rounding errors of numbers as they are seen from the scene, not from the world's origin: there
 /// they would be larger than the boxes themselves, and a ray would test every triangle.
 TEST(Accelerators, RejectFarFromTheOriginWhatTheyRejectThere) {
