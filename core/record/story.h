@@ -12,11 +12,11 @@ namespace ps {
 
 struct ListingTrace;
 
-/// One line of the sum that makes the pixel's colour. `level` indents; a line's value is the sum of the lines one level
-/// deeper that follow it, where there are any. Lines of level 0 add up to the pixel.
 /// Which term of a light's a line is.
 enum class LightTerm { none, whole, ambient, diffuse, specular };
 
+/// One line of the sum that makes the pixel's colour. `level` indents; a line's value is the sum of the lines one level
+/// deeper that follow it, where there are any. Lines of level 0 add up to the pixel.
 struct LedgerLine {
   int level = 0;
   std::string term;      ///< "light 1 diffuse: 0.6 x 0.49 x red"
