@@ -29,19 +29,12 @@ int largest(const Levels& levels) {
 
 /// "the highlight of light 1 (point)" for the row of its specular term; else what stands in it.
 std::string row_name(const LedgerLine& line) {
-  switch (line.light_term) {
-  case LightTerm::specular:
-    return "the highlight of " + line.light;
-  case LightTerm::diffuse:
-    return "the diffuse light of " + line.light;
-  case LightTerm::ambient:
-    return "the ambient light of " + line.light;
-  case LightTerm::whole:
-    return line.light;
-  case LightTerm::none:
-    return line.term;
-  }
-  return {};
+  if (line.light.empty()) return line.term;
+  const std::string part = line.kind == LedgerTerm::specular  ? "the highlight of "
+                           : line.kind == LedgerTerm::diffuse ? "the diffuse light of "
+                           : line.kind == LedgerTerm::ambient ? "the ambient light of "
+                                                              : "";
+  return part + line.light;
 }
 
 class TermSearch {

@@ -1,6 +1,7 @@
 #include "inspect/story_changes.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "inspect/describe.h"
 #include "inspect/parting/align_stories.h"
@@ -43,19 +44,17 @@ StepChange step_change(const PixelStory& before, const PixelStory& after, const 
   return step;
 }
 
-/// Lines are the same where their events are partners, their levels are equal and they begin with the same words: two
-/// terms of one light differ in those, numbers may follow.
-std::string key_of(const LedgerLine& line, int partner) {
-  const auto colon = line.term.find(':');
-  return std::to_string(line.level) + "/" + std::to_string(partner) + "/" + line.term.substr(0, colon);
-}
+/// Lines are the same where their events are partners and their levels and kinds are equal.
+using LineKey = std::tuple<int, int, LedgerTerm>;
+
+LineKey key_of(const LedgerLine& line, int partner) { return {line.level, partner, line.kind}; }
 
 std::vector<LedgerChange> ledger_changes(const PixelStory& before, const PixelStory& after,
                                          const std::vector<AlignedRow>& rows) {
   std::vector<int> partner(before.events.size(), -2);  // of each old event, among the new ones
   for (const AlignedRow& row : rows)
     if (row.a >= 0 && row.b >= 0) partner[static_cast<std::size_t>(row.a)] = row.b;
-  std::vector<std::string> old_keys;
+  std::vector<LineKey> old_keys;
   for (const LedgerLine& line : before.ledger)
     old_keys.push_back(key_of(line, line.event < 0 ? -1 : partner[static_cast<std::size_t>(line.event)]));
   std::vector<bool> used(before.ledger.size(), false);
@@ -69,7 +68,7 @@ std::vector<LedgerChange> ledger_changes(const PixelStory& before, const PixelSt
   };
   for (const LedgerLine& line : after.ledger) {
     LedgerChange change{line.level, line.term, {}, line.value, line.event};
-    const std::string key = key_of(line, line.event);
+    const LineKey key = key_of(line, line.event);
     for (std::size_t i = placed; i < old_keys.size(); ++i)
       if (!used[i] && old_keys[i] == key) {
         used[i] = true;

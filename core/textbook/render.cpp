@@ -83,8 +83,8 @@ PixelStory inspect_textbook(const Scene& scene, const View& view, const Settings
                                               listing.source, trace->watches.size(), lines.size());
   story.events = listing_events(book_scene(scene, view, settings), *trace);
   story.events.push_back({-1, EventData(PixelEvent{story.linear, story.display})});
-  story.ledger.push_back({0, fmt::format("as the listing of {} computes it", listing.source), story.linear,
-                          static_cast<int>(story.events.size()) - 1});
+  story.ledger.push_back({0, LedgerTerm::listing, fmt::format("as the listing of {} computes it", listing.source),
+                          story.linear, static_cast<int>(story.events.size()) - 1});
   story.listing = std::move(trace);
   return story;
 }

@@ -340,8 +340,8 @@ TEST(MissingTerm, CountsWhatIsSeenOfAClampedSum) {
   PixelStory story;
   story.linear = {1.5, 0.2, 0};
   story.display = {255, 51, 0};
-  story.ledger = {{0, "light 0 (ambient): all", {0.9, 0.2, 0}, -1, LightTerm::whole, "light 0 (ambient)"},
-                  {0, "light 1 (point) specular: all", {0.6, 0, 0}, -1, LightTerm::specular, "light 1 (point)"}};
+  story.ledger = {{0, LedgerTerm::light, "light 0 (ambient): all", {0.9, 0.2, 0}, -1, "light 0 (ambient)"},
+                  {0, LedgerTerm::specular, "light 1 (point) specular: all", {0.6, 0, 0}, -1, "light 1 (point)"}};
   const MissingTerm term = find_missing_term(story, {}, {230, 51, 0});
   EXPECT_EQ(term.sentence, "Red is 25 levels too dark: that is the highlight of light 1 (point), 25.");
   EXPECT_EQ(term.rows[1].adds[0], 25);

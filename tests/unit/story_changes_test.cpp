@@ -5,8 +5,10 @@
 
 #include <algorithm>
 
+#include "options/scene_settings.h"
 #include "render/render.h"
 #include "scene/load.h"
+#include "scene/scene_file.h"
 
 namespace ps::story_changes_test {
 namespace {
@@ -92,6 +94,31 @@ TEST(StoryChanges, BothSumsAreListedInFull) {
   EXPECT_EQ(old_steps, static_cast<int>(before.events.size()));
   EXPECT_EQ(new_steps, static_cast<int>(after.events.size()));
   EXPECT_GT(changes.changed_steps, 0);
+}
+
+// The share of what a sheet lets through differs, and its line is still the same line: the number that it begins with
+// says nothing about which line it is.
+TEST(StoryChanges, ALineThatBeginsWithANumberKeepsItsPartner) {
+  const auto story_of = [](const char* transparency) {
+    const Scene scene = parse_scene(
+        std::string("background = white\ntriangle { vertices = [(-9, -9, 5), (0, 30, 5), (9, -9, 5)]  color "
+                    "= blue  transparency = ") +
+            transparency + " }\nsettings { renderer = rasterizer  lighting = off  blending = sorted }\n",
+        "sheet.scene", ".");
+    Prepared prepared;
+    Progress progress;
+    return std::pair{scene, inspect(scene, {scene.camera, 20, 20}, settings_for(scene), {10, 10}, prepared, progress)};
+  };
+  const auto [scene, before] = story_of("0.75");
+  const PixelStory after = story_of("0.25").second;
+  const StoryChanges changes = story_changes(before, after, scene);
+  const auto line = std::find_if(changes.ledger.begin(), changes.ledger.end(), [](const LedgerChange& change) {
+    return change.term.find("x what was there") != std::string::npos;
+  });
+  ASSERT_NE(line, changes.ledger.end());
+  ASSERT_TRUE(line->before && line->after) << line->term;
+  EXPECT_EQ(*line->before, Vec3d(0.75));
+  EXPECT_EQ(*line->after, Vec3d(0.25));
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 namespace ps {
 namespace {
 
+using Term = LedgerTerm;
 using Lines = std::vector<LedgerLine>;
 
 void append(Lines& lines, Lines more) {
@@ -49,12 +50,12 @@ void add_boundary(const PixelStory& story, const Scene& scene, int ray, int inde
   const auto& event = event_as<RefractionEvent>(story.events, index);
   const std::string name = primitive_name(scene, shading.id);
   if (event.own_share > 0) {
-    lines.push_back({level, fmt::format("{}: {} x local colour", name, number_text(event.own_share)),
+    lines.push_back({level, Term::local, fmt::format("{}: {} x local colour", name, number_text(event.own_share)),
                      share * event.own_share * event.local, shading.shade});
     append(lines, light_terms(story, scene, shading, share * event.own_share, level + 1));
   }
   if (event.mirrored_share > 0) {
-    lines.push_back({level,
+    lines.push_back({level, Term::reflected,
                      fmt::format("{}: {} x {}{}", name, number_text(event.mirrored_share),
                                  reflected_text(story, scene, reflection_read(story.events, ray), "reflected colour"),
                                  event.total ? " (total internal reflection)" : ""),
@@ -62,7 +63,8 @@ void add_boundary(const PixelStory& story, const Scene& scene, int ray, int inde
     add_rays_of_kind(story, scene, ray, RayKind::reflection, share * event.mirrored_share, level + 1, lines);
   }
   if (event.refracted_share > 0) {
-    lines.push_back({level, fmt::format("{}: {} x transmitted colour", name, number_text(event.refracted_share)),
+    lines.push_back({level, Term::transmitted,
+                     fmt::format("{}: {} x transmitted colour", name, number_text(event.refracted_share)),
                      share * event.refracted_share * event.refracted, index});
     add_rays_of_kind(story, scene, ray, RayKind::refraction, share * event.refracted_share, level + 1, lines);
   }
@@ -76,7 +78,8 @@ void add_ray(const PixelStory& story, const Scene& scene, int ray, double share,
   const auto shades = events_of_ray<ShadeEvent>(events, ray);
   if (hits.empty() || shades.empty()) {
     for (const int miss : events_of_ray<MissEvent>(events, ray))
-      lines.push_back({level, fmt::format("background{}", share == 1 ? "" : " x " + number_text(share)),
+      lines.push_back({level, Term::background,
+                       fmt::format("background{}", share == 1 ? "" : " x " + number_text(share)),
                        share * event_as<MissEvent>(events, miss).background, miss});
     return;
   }
@@ -88,16 +91,16 @@ void add_ray(const PixelStory& story, const Scene& scene, int ray, double share,
   if (!boundaries.empty()) return add_boundary(story, scene, ray, boundaries.back(), shading, share, level, lines);
   const auto mirrors = events_of_ray<ReflectionEvent>(events, ray);
   if (mirrors.empty()) {
-    lines.push_back({level, fmt::format("{}: local colour", name), share * local, shading.shade});
+    lines.push_back({level, Term::local, fmt::format("{}: local colour", name), share * local, shading.shade});
     append(lines, light_terms(story, scene, shading, share, level + 1));
     return;
   }
   const auto& mirror = event_as<ReflectionEvent>(events, mirrors.back());
   const double own = 1 - mirror.reflective;
-  lines.push_back(
-      {level, fmt::format("{}: {} x local colour", name, number_text(own)), share * own * local, shading.shade});
+  lines.push_back({level, Term::local, fmt::format("{}: {} x local colour", name, number_text(own)),
+                   share * own * local, shading.shade});
   append(lines, light_terms(story, scene, shading, share * own, level + 1));
-  lines.push_back({level,
+  lines.push_back({level, Term::reflected,
                    fmt::format("{}: {} x {}", name, number_text(mirror.reflective),
                                reflected_text(story, scene, reflection_read(events, ray), "reflected colour")),
                    share * mirror.reflective * mirror.reflected, mirrors.back()});
@@ -108,14 +111,15 @@ void add_ray(const PixelStory& story, const Scene& scene, int ray, double share,
 Lines row_lines(const PixelStory& story, int polygon, double share, int level) {
   const auto& event = event_as<PolygonEvent>(story.events, polygon);
   const PolygonRowSpan& row = *event.row;
-  const auto end = [&](std::size_t i, std::string_view name, int column, double weight) {
-    return LedgerLine{level,
+  const auto end = [&](Term kind, std::size_t i, std::string_view name, int column, double weight) {
+    return LedgerLine{level, kind,
                       fmt::format("{} end of the row, x = {} on edge {} at {}: {} x {}", name, column, row.edges[i],
                                   number_text(row.along_edges[i]), number_text(weight),
                                   vector_text(row.end_colours[i])),
                       share * weight * row.end_colours[i], polygon};
   };
-  return {end(0, "left", row.left, 1 - row.along_row), end(1, "right", row.right, row.along_row)};
+  return {end(Term::left_end, 0, "left", row.left, 1 - row.along_row),
+          end(Term::right_end, 1, "right", row.right, row.along_row)};
 }
 
 /// How the colour that write `index` brought was made, by what the kernel reported since its fragment began, scaled by
@@ -142,9 +146,10 @@ Lines shading_of_write(const PixelStory& story, const Scene& scene, int index, d
   if (mirror < 0) return shading.shade < 0 ? Lines{} : light_terms(story, scene, shading, share, level);
   const auto& event = event_as<ReflectionEvent>(story.events, mirror);
   const double own = 1 - event.reflective;
-  Lines lines{{level, fmt::format("{} x local colour", number_text(own)), share * own * event.local, mirror}};
+  Lines lines{
+      {level, Term::local, fmt::format("{} x local colour", number_text(own)), share * own * event.local, mirror}};
   if (shading.shade >= 0) append(lines, light_terms(story, scene, shading, share * own, level + 1));
-  lines.push_back({level,
+  lines.push_back({level, Term::reflected,
                    fmt::format("{} x {}", number_text(event.reflective),
                                reflected_text(story, scene, reflection_map, "colour from its cube map")),
                    share * event.reflective * event.reflected, mirror});
@@ -167,12 +172,13 @@ const CoverageEvent* written_samples(const PixelStory& story, int index) {
 void add_blended(const PixelStory& story, const Scene& scene, int index, Lines& lines) {
   const auto& write = event_as<WriteEvent>(story.events, index);
   const double left = 1 - write.opacity;
-  LedgerLine below{0, fmt::format("{} x what was there", number_text(left)), Vec3d(0), index};
+  LedgerLine below{0, Term::what_was_there, fmt::format("{} x what was there", number_text(left)), Vec3d(0), index};
   for (LedgerLine& line : lines) {
     line.value *= left;
     if (line.level++ == 0) below.value += line.value;
   }
-  Lines blended{{0, fmt::format("{}: {} x colour", primitive_name(scene, write.id), number_text(write.opacity)),
+  Lines blended{{0, Term::colour,
+                 fmt::format("{}: {} x colour", primitive_name(scene, write.id), number_text(write.opacity)),
                  write.opacity * write.shaded, index}};
   append(blended, shading_of_write(story, scene, index, write.opacity, 1));
   blended.push_back(below);
@@ -214,14 +220,14 @@ class SampleOwners {
 
  private:
   static Lines lines_of(const PixelStory& story, const Scene& scene, const std::vector<int>& writes) {
-    Lines lines{{0, "background", scene.background, -1}};
+    Lines lines{{0, Term::background, "background", scene.background, -1}};
     for (const int index : writes) {
       const auto& write = event_as<WriteEvent>(story.events, index);
       if (mixing_of(write) == Mixing::blends) {
         add_blended(story, scene, index, lines);
         continue;
       }
-      lines = {{0, fmt::format("{}: colour", primitive_name(scene, write.id)), write.shaded, index}};
+      lines = {{0, Term::colour, fmt::format("{}: colour", primitive_name(scene, write.id)), write.shaded, index}};
       append(lines, shading_of_write(story, scene, index, 1, 1));
     }
     return lines;
@@ -236,22 +242,22 @@ void add_write(const PixelStory& story, const Scene& scene, int index, Lines& li
   switch (mixing_of(write)) {
   case Mixing::replaces:
     lines.clear();
-    lines.push_back({0, fmt::format("{}: colour", name), write.shaded, index});
+    lines.push_back({0, Term::colour, fmt::format("{}: colour", name), write.shaded, index});
     append(lines, shading_of_write(story, scene, index, 1, 1));
     return;
   case Mixing::adds:
-    if (lines.empty()) lines.push_back({0, "background", write.before, index});
-    lines.push_back({0, fmt::format("{}: added colour", name), write.shaded, index});
+    if (lines.empty()) lines.push_back({0, Term::background, "background", write.before, index});
+    lines.push_back({0, Term::colour, fmt::format("{}: added colour", name), write.shaded, index});
     append(lines, shading_of_write(story, scene, index, 1, 1));
     return;
   case Mixing::filters:
     lines.clear();
-    lines.push_back({0,
+    lines.push_back({0, Term::colour,
                      fmt::format("{}: {} multiplied by {}", name, vector_text(write.shaded), vector_text(write.before)),
                      write.after, index});
     return;
   case Mixing::blends:
-    if (lines.empty()) lines.push_back({0, "background", write.before, index});
+    if (lines.empty()) lines.push_back({0, Term::background, "background", write.before, index});
     add_blended(story, scene, index, lines);
     return;
   }
@@ -263,7 +269,7 @@ void add_rounding(Lines& lines, const Vec3d& total, int event) {
   Vec3d sum{0, 0, 0};
   for (const LedgerLine& line : lines)
     if (line.level == 0) sum += line.value;
-  if (sum != total) lines.push_back({0, "rounding of the sum", total - sum, event});
+  if (sum != total) lines.push_back({0, Term::rounding, "rounding of the sum", total - sum, event});
 }
 
 /// The pixel as the mean of its samples (CGFS ch. 5), those with a story of their own unfolded.
@@ -271,7 +277,7 @@ Lines sample_lines(const PixelStory& story, const Scene& scene, const std::vecto
   Lines lines;
   for (const int index : samples) {
     const auto& sample = event_as<SampleEvent>(story.events, index);
-    lines.push_back({0,
+    lines.push_back({0, Term::sample,
                      fmt::format("sample {} of {} at {}: weight {}, colour {}", sample.index + 1, sample.count,
                                  vector_text(sample.position), number_text(sample.weight), vector_text(sample.colour)),
                      sample.weight * sample.colour, index});
@@ -301,12 +307,13 @@ Lines fragment_lines(const PixelStory& story, const Scene& scene) {
       written = true;
     }
     if (const auto* line = std::get_if<LineEvent>(&data)) {
-      lines = {{0, line->id.object >= 0 ? fmt::format("edge of {}", primitive_name(scene, line->id)) : "line",
+      lines = {{0, Term::edge,
+                line->id.object >= 0 ? fmt::format("edge of {}", primitive_name(scene, line->id)) : "line",
                 line->colour, i}};
       written = true;
     }
   }
-  if (!written) lines.push_back({0, "background", story.linear, -1});
+  if (!written) lines.push_back({0, Term::background, "background", story.linear, -1});
   return lines;
 }
 

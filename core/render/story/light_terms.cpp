@@ -49,27 +49,28 @@ std::vector<LedgerLine> terms_of_light(const PixelStory& story, const Scene& sce
   const auto& light = event_as<LightEvent>(story.events, index);
   const std::string name = light_name(scene, light.light);
   const Light source = light_of(scene, light.light);
-  const auto line = [&](LightTerm term, double intensity, const Vec3d& tint, const Vec3d& surface) {
-    const std::string kind = term == LightTerm::whole ? "" : fmt::format(" {}", enumerator_key(term));
+  const auto line = [&](LedgerTerm kind, double intensity, const Vec3d& tint, const Vec3d& surface) {
+    const std::string part = kind == LedgerTerm::light ? "" : fmt::format(" {}", enumerator_key(kind));
     const std::string product = product_text(share, intensity, tint, surface);
     const Vec3d value = share * intensity * tint * surface;
-    return LedgerLine{level, fmt::format("{}{}: {}", name, kind, product), value, index, term, name};
+    return LedgerLine{level, kind, fmt::format("{}{}: {}", name, part, product), value, index, name};
   };
   std::vector<LedgerLine> lines;
   if (light.kind == LightKind::ambient) {
     if (!adds_nothing(light.diffuse))
-      lines.push_back(line(LightTerm::whole, light.diffuse, source.colour, colours.ambient));
+      lines.push_back(line(LedgerTerm::light, light.diffuse, source.colour, colours.ambient));
   } else {
     if (!adds_nothing(light.ambient))
-      lines.push_back(line(LightTerm::ambient, light.ambient, source.ambient_colour, colours.ambient));
+      lines.push_back(line(LedgerTerm::ambient, light.ambient, source.ambient_colour, colours.ambient));
     if (!adds_nothing(light.diffuse))
-      lines.push_back(line(LightTerm::diffuse, light.diffuse, source.colour, colours.diffuse));
+      lines.push_back(line(LedgerTerm::diffuse, light.diffuse, source.colour, colours.diffuse));
     if (!adds_nothing(light.specular))
-      lines.push_back(line(LightTerm::specular, light.specular, highlight_colour(source), colours.specular));
+      lines.push_back(line(LedgerTerm::specular, light.specular, highlight_colour(source), colours.specular));
   }
   if (lines.empty())
-    lines.push_back(
-        {level, fmt::format("{}: {}", name, light_effect_text(scene, light, LightWords::whole)), black, index});
+    lines.push_back({level, LedgerTerm::light,
+                     fmt::format("{}: {}", name, light_effect_text(scene, light, LightWords::whole)), black, index,
+                     name});
   return lines;
 }
 
@@ -102,7 +103,7 @@ std::vector<LedgerLine> terms_of_point(const PixelStory& story, const Scene& sce
   if (highlight != black) text += fmt::format(" (of which highlight {})", light_text(highlight));
   text += " x " + vector_text(colours.diffuse);
   const Vec3d value = part * (point.light * colours.diffuse + point.extra);
-  std::vector<LedgerLine> lines{{level, std::move(text), value, index}};
+  std::vector<LedgerLine> lines{{level, LedgerTerm::point, std::move(text), value, index}};
   if (adds_up(terms, value)) lines.insert(lines.end(), terms.begin(), terms.end());
   return lines;
 }
@@ -113,11 +114,12 @@ std::vector<LedgerLine> all_light_at_once(const PixelStory& story, const Shading
   std::vector<LedgerLine> lines;
   const Vec3d product = shade.local - shade.extra;
   const std::string light = shade.light == Vec3d{1, 1, 1} ? "" : vector_text(shade.light) + " of light x ";
-  lines.push_back({level, fmt::format("{}{}surface colour {}", share_prefix(share), light, vector_text(shade.surface)),
+  lines.push_back({level, LedgerTerm::all_light,
+                   fmt::format("{}{}surface colour {}", share_prefix(share), light, vector_text(shade.surface)),
                    share * product, shading.shade});
   if (shade.extra != black)
-    lines.push_back(
-        {level, share_prefix(share) + "light with a colour of its own", share * shade.extra, shading.shade});
+    lines.push_back({level, LedgerTerm::extra_light, share_prefix(share) + "light with a colour of its own",
+                     share * shade.extra, shading.shade});
   return lines;
 }
 
