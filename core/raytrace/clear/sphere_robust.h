@@ -12,22 +12,17 @@ inline Real remainder_discriminant(const Vec3<Real>& from_centre, const Vec3<Rea
   return radius * radius - dot(remainder, remainder);
 }
 
-/// Ray and sphere without cancellation (Haines, Guenther, Akenine-Moeller, Ray Tracing Gems ch. 7): the discriminant
-/// from the vector that remains when the centre is projected onto the line, the roots from q = b + sign(b) sqrt(a
-/// disc), so that nothing of like size is subtracted. The power of the origin, c, is the one place where that cannot be
-/// avoided; it alone is computed in double, since for the book's ground (radius 5000) float leaves it 4 digits.
-/// `a` = D.D.
-template <class Real>
-inline SphereRoots<Real> sphere_robust(const Vec3<Real>& origin, const Vec3<Real>& direction, Real a,
-                                       const TracedSphere<Real>& sphere) {
-  const Vec3<Real> from_centre = origin - sphere.centre;
+/// Roots from the remainder's discriminant as q = b + sign(b) sqrt(a disc), so that nothing of like size is subtracted.
+/// The power of the origin, c, is the one place where that cannot be avoided: `power` returns it, and is asked only
+/// where the line meets the sphere.
+template <class Real, class Power>
+inline SphereRoots<Real> roots_of_remainder(const Vec3<Real>& from_centre, const Vec3<Real>& direction, Real a,
+                                            Real radius, Power&& power) {
   const Real b = -dot(from_centre, direction);
   SphereRoots<Real> roots;
-  roots.discriminant = remainder_discriminant(from_centre, direction, b / a, sphere.radius);
+  roots.discriminant = remainder_discriminant(from_centre, direction, b / a, radius);
   if (!(roots.discriminant >= 0)) return roots;
-  const Vec3d exact_from_centre = Vec3d(origin) - Vec3d(sphere.centre);
-  const double radius = static_cast<double>(sphere.radius);
-  const Real c = static_cast<Real>(dot(exact_from_centre, exact_from_centre) - radius * radius);
+  const Real c = power();
   const Real root = std::sqrt(a * roots.discriminant);
   const Real q = b + (b < 0 ? -root : root);
   const Real with_c = c / q;
@@ -35,6 +30,18 @@ inline SphereRoots<Real> sphere_robust(const Vec3<Real>& origin, const Vec3<Real
   roots.near = b < 0 ? with_a : with_c;
   roots.far = b < 0 ? with_c : with_a;
   return roots;
+}
+
+/// Ray and sphere without cancellation (Haines, Guenther, Akenine-Moeller, Ray Tracing Gems ch. 7). c alone is computed
+/// in double, since for the book's ground (radius 5000) float leaves it 4 digits. `a` = D.D.
+template <class Real>
+inline SphereRoots<Real> sphere_robust(const Vec3<Real>& origin, const Vec3<Real>& direction, Real a,
+                                       const TracedSphere<Real>& sphere) {
+  return roots_of_remainder<Real>(origin - sphere.centre, direction, a, sphere.radius, [&] {
+    const Vec3d exact_from_centre = Vec3d(origin) - Vec3d(sphere.centre);
+    const double radius = static_cast<double>(sphere.radius);
+    return static_cast<Real>(dot(exact_from_centre, exact_from_centre) - radius * radius);
+  });
 }
 
 /// The other root for a ray that starts on the sphere: one root is 0 by definition, so c = 0 and the roots are 0 and

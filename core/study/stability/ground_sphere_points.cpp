@@ -10,23 +10,15 @@ namespace {
 
 constexpr int picture_side = 600;
 
-/// The discriminant from the remainder vector and the root that loses nothing, with all numbers of one precision: c is
-/// (|f| - r)(|f| + r).
+/// The robust form with all numbers of one precision: c is (|f| - r)(|f| + r).
 template <class Real>
 SphereRoots<Real> sphere_remainder(const Vec3<Real>& origin, const Vec3<Real>& direction, Real a,
                                    const TracedSphere<Real>& sphere) {
   const Vec3<Real> from_centre = origin - sphere.centre;
-  const Real b = -dot(from_centre, direction);
-  SphereRoots<Real> roots;
-  roots.discriminant = remainder_discriminant(from_centre, direction, b / a, sphere.radius);
-  if (!(roots.discriminant >= 0)) return roots;
-  const Real distance = std::sqrt(dot(from_centre, from_centre));
-  const Real c = (distance - sphere.radius) * (distance + sphere.radius);
-  const Real root = std::sqrt(a * roots.discriminant);
-  const Real q = b + (b < 0 ? -root : root);
-  roots.near = b < 0 ? q / a : c / q;
-  roots.far = b < 0 ? c / q : q / a;
-  return roots;
+  return roots_of_remainder<Real>(from_centre, direction, a, sphere.radius, [&] {
+    const Real distance = std::sqrt(dot(from_centre, from_centre));
+    return (distance - sphere.radius) * (distance + sphere.radius);
+  });
 }
 
 template <class Real>
