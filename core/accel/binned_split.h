@@ -97,8 +97,7 @@ struct BvhSplit {
   }
 };
 
-inline constexpr std::uint32_t bvh_leaf = 4;
-inline constexpr double bvh_traversal_cost = 0.5;  ///< of a node, in tests of up to four primitives
+inline constexpr double bvh_traversal_cost = 0.5;  ///< of a node, in tests of a group of primitives
 
 /// Boxes and counts of the references by bin, for all three axes at once (Wald 2007).
 template <class Real>
@@ -133,24 +132,25 @@ class BinSet {
     }
   }
 
-  /// The cut that costs least by the surface-area heuristic, primitives counting in groups of four as they are tested.
-  /// Large nodes are always cut if they can be; one of moderate size may stay whole. The three axes are in lanes. A cut
-  /// with an empty side costs NaN, infinity times no group, which is never less.
-  BvhSplit<Real> best_split(std::uint32_t count, const Extent<Real>& box, const Extent<Real>& centroids) const {
+  /// The cut that costs least by the surface-area heuristic, primitives counting in groups of `group` (a power of two)
+  /// as they are tested. Large nodes are always cut if they can be; one of moderate size may stay whole. The three axes
+  /// are in lanes. A cut with an empty side costs NaN, infinity times no group, which is never less.
+  BvhSplit<Real> best_split(std::uint32_t count, const Extent<Real>& box, const Extent<Real>& centroids,
+                            std::uint32_t group) const {
     const double node_cost = bvh_traversal_cost * box.half_area();
     const double uncut =
-        count > 4 * bvh_leaf ? std::numeric_limits<double>::infinity() : groups(count) * box.half_area();
+        count > 4 * group ? std::numeric_limits<double>::infinity() : (count + group - 1) / group * box.half_area();
     std::array<AxisCosts, most_bins> costs;
     Sides sides;
     for (std::size_t bin = count_of_bins() - 1; bin > 0; --bin) {
       sides.include(boxes_[bin], counts_[bin]);
-      sides.cost(costs[bin]);
+      sides.cost(group, costs[bin]);
     }
     sides = Sides();
     for (std::size_t bin = 1; bin < count_of_bins(); ++bin) {
       sides.include(boxes_[bin - 1], counts_[bin - 1]);
       AxisCosts left;
-      sides.cost(left);
+      sides.cost(group, left);
       costs[bin] = node_cost + left + costs[bin];
     }
     double best_cost = uncut;
@@ -193,14 +193,14 @@ class BinSet {
       counts += more;
     }
     /// Half the surface area of each axis's box times the groups of its primitives.
-    void cost(AxisCosts& result) const {
+    void cost(std::uint32_t group, AxisCosts& result) const {
       const Lanes4<Real> a = boxes[0].high - boxes[0].low, b = boxes[1].high - boxes[1].low,
                          c = boxes[2].high - boxes[2].low;
       const Lanes4<Real> ab = __builtin_shufflevector(a, b, 0, 4, 1, 5),
                          ab_z = __builtin_shufflevector(a, b, 2, 6, 3, 7);
       const Lanes4<Real> x = __builtin_shufflevector(ab, c, 0, 1, 4, 4), y = __builtin_shufflevector(ab, c, 2, 3, 5, 5),
                          z = __builtin_shufflevector(ab_z, c, 0, 1, 6, 6);
-      const AxisCounts groups_of = (counts + 3) >> 2;
+      const AxisCounts groups_of = (counts + (static_cast<int>(group) - 1)) >> std::countr_zero(group);
       result =
           __builtin_convertvector(x * y + y * z + z * x, AxisCosts) * __builtin_convertvector(groups_of, AxisCosts);
     }
@@ -221,10 +221,6 @@ class BinSet {
       boxes_[bin][static_cast<std::size_t>(axis)].include(reference);
       ++counts_[bin][axis];
     }
-  }
-  static double groups(std::uint32_t count) {
-    const std::uint32_t whole = (count + 3) / 4;
-    return whole;
   }
 
   BvhSplit<Real> describe(int axis, int bin) const {

@@ -1,10 +1,12 @@
 #include "accel/bvh.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <memory>
 
 #include "accel/binned_split.h"
+#include "base/check.h"
 #include "base/stop.h"
 
 namespace ps {
@@ -39,9 +41,11 @@ struct Chunk {
 template <class Real>
 class BvhBuilder {
  public:
-  BvhBuilder(std::span<const Box<Real>> boxes, int threads)
-      : boxes_(boxes), options_{threads, WorkerPriority::normal},
-        job_size_(job_size(static_cast<std::uint32_t>(boxes.size()))) {}
+  BvhBuilder(std::span<const Box<Real>> boxes, const BvhOptions& options)
+      : boxes_(boxes), group_(options.group), options_{options.threads, WorkerPriority::normal},
+        job_size_(job_size(static_cast<std::uint32_t>(boxes.size()))) {
+    PS_ASSERT(std::has_single_bit(group_), "groups of primitives are cut by shifts");
+  }
 
   Bvh<Real> build() {
     if (boxes_.empty()) return {};
@@ -158,15 +162,15 @@ class BvhBuilder {
     centroids = {left, right};
   }
 
-  static std::vector<BvhSplit<Real>> choose_splits(const std::vector<Range<Real>>& ranges,
-                                                   std::vector<Chunk<Real>>& chunks) {
+  std::vector<BvhSplit<Real>> choose_splits(const std::vector<Range<Real>>& ranges,
+                                            std::vector<Chunk<Real>>& chunks) const {
     std::vector<BvhSplit<Real>> splits(ranges.size());
     for (std::size_t first = 0, last = 0; first < chunks.size(); first = last) {
       const Range<Real>& range = ranges[chunks[first].range];
       BinSet<Real> bins = chunks[first].bins;
       for (last = first + 1; last < chunks.size() && chunks[last].range == chunks[first].range; ++last)
         bins.add(chunks[last].bins);
-      const BvhSplit<Real> split = bins.best_split(range.count(), range.boxes, range.centroids);
+      const BvhSplit<Real> split = bins.best_split(range.count(), range.boxes, range.centroids, group_);
       std::uint32_t left = range.begin, right = range.begin + split.left_count;
       for (std::size_t i = first; i < last; ++i) {
         chunks[i].left = left;
@@ -227,12 +231,12 @@ class BvhBuilder {
     const PrimitiveReference<Real>* const references = references_[static_cast<std::size_t>(side)].get();
     const std::span own(references + range.begin, references + range.end);
     const bool whole = range.count() == boxes_.size();
-    const std::uint32_t leaf = whole ? bvh_no_tree : bvh_leaf;
+    const std::uint32_t leaf = whole ? bvh_no_tree : group_;
     BvhSplit<Real> split;
     if (range.count() > leaf && range.depth < bvh_max_depth - 1) {
       BinSet<Real> bins(bins_for(range.count()));
       bins.add(own, range.centroids);
-      split = bins.best_split(range.count(), range.boxes, range.centroids);
+      split = bins.best_split(range.count(), range.boxes, range.centroids, group_);
     }
     if (split.axis < 0 && range.count() > 4 * leaf && range.depth < bvh_max_depth - 1 &&
         !std::isfinite(range.boxes.half_area())) {
@@ -268,6 +272,7 @@ class BvhBuilder {
   }
 
   std::span<const Box<Real>> boxes_;
+  std::uint32_t group_;
   ParallelOptions options_;
   std::uint32_t job_size_;
   std::array<std::unique_ptr<PrimitiveReference<Real>[]>, 2> references_;
@@ -278,11 +283,11 @@ class BvhBuilder {
 }  // namespace
 
 template <class Real>
-Bvh<Real> build_bvh(std::span<const Box<Real>> boxes, int threads) {
-  return BvhBuilder<Real>(boxes, threads).build();
+Bvh<Real> build_bvh(std::span<const Box<Real>> boxes, const BvhOptions& options) {
+  return BvhBuilder<Real>(boxes, options).build();
 }
 
-template Bvh<float> build_bvh(std::span<const Box<float>>, int);
-template Bvh<double> build_bvh(std::span<const Box<double>>, int);
+template Bvh<float> build_bvh(std::span<const Box<float>>, const BvhOptions&);
+template Bvh<double> build_bvh(std::span<const Box<double>>, const BvhOptions&);
 
 }  // namespace ps

@@ -33,10 +33,16 @@ inline constexpr int bvh_max_depth = 64;
 /// This few primitives need no tree: the root is a leaf.
 inline constexpr std::uint32_t bvh_no_tree = 8;
 
+struct BvhOptions {
+  std::uint32_t group =
+      4;            ///< primitives that are tested in one go: cuts count in these, and a leaf is filled with them
+  int threads = 0;  ///< 0 = one per processor; the tree does not depend on it
+};
+
 /// Builds the tree from the primitives' boxes, splitting where the surface-area heuristic, estimated over bins of
-/// centroids, costs least (Wald 2007). The tree does not depend on the number of threads (0 = one per processor).
+/// centroids, costs least (Wald 2007).
 template <class Real>
-Bvh<Real> build_bvh(std::span<const Box<Real>> boxes, int threads = 0);
+Bvh<Real> build_bvh(std::span<const Box<Real>> boxes, const BvhOptions& options = {});
 
 /// The accelerator interface (accel/none.h). The nearer child comes first. The root is entered without a test.
 template <class Real, class Visit, class Recorder>

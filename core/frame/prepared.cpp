@@ -29,9 +29,9 @@ std::shared_ptr<const void> Prepared::find(const Key& key) {
   return entry->value;
 }
 
-void Prepared::keep(const Key& key, std::shared_ptr<const void> value, std::size_t bytes) {
+void Prepared::keep(Entry made) {
   const std::lock_guard lock(mutex_);
-  entries_.push_front({key, std::move(value), bytes});
+  const Key& key = entries_.emplace_front(std::move(made)).key;
   int versions = 0;
   for (auto entry = entries_.begin(); entry != entries_.end();) {
     const bool same_product = entry->key.product() == key.product();
@@ -42,16 +42,16 @@ void Prepared::keep(const Key& key, std::shared_ptr<const void> value, std::size
       ++entry;
   }
   std::size_t taken = 0;
-  for (const Entry& entry : entries_) taken += entry.bytes;
+  for (const Entry& entry : entries_) taken += entry.bytes();
   if (taken <= always_kept) return;
   for (const std::size_t most = most_bytes(taken); taken > most && entries_.size() > 1; entries_.pop_back())
-    taken -= entries_.back().bytes;
+    taken -= entries_.back().bytes();
 }
 
 std::size_t Prepared::bytes() const {
   const std::lock_guard lock(mutex_);
   std::size_t sum = 0;
-  for (const Entry& entry : entries_) sum += entry.bytes;
+  for (const Entry& entry : entries_) sum += entry.bytes();
   return sum;
 }
 

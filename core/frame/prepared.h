@@ -58,7 +58,7 @@ class Prepared {
   std::shared_ptr<const T> get(const Key& key, Build&& build) {
     if (auto found = find(key)) return std::static_pointer_cast<const T>(found);
     auto made = std::make_shared<const T>(build());
-    keep(key, made, memory_size(*made));
+    keep({key, made, [](const void* value) { return memory_size(*static_cast<const T*>(value)); }});
     return made;
   }
   void clear();
@@ -69,10 +69,11 @@ class Prepared {
   struct Entry {
     Key key;
     std::shared_ptr<const void> value;
-    std::size_t bytes = 0;
+    std::size_t (*size_of)(const void*) = nullptr;  ///< bytes, asked each time: some products grow when they are used
+    std::size_t bytes() const { return size_of(value.get()); }
   };
   std::shared_ptr<const void> find(const Key& key);
-  void keep(const Key& key, std::shared_ptr<const void> value, std::size_t bytes);
+  void keep(Entry made);
 
   mutable std::mutex mutex_;
   std::list<Entry> entries_;  // most recently used first

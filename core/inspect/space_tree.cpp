@@ -105,8 +105,9 @@ TreeNodes nodes_of_tree(const Scene& scene, const Settings& settings, Prepared& 
   nodes.counts.primitives = bounded_count(*geometry);
   std::visit(Overloaded{[](const NoAccelerator&) {}, [](const std::shared_ptr<const EmbreeGeometry<Real>>&) {},
                         [&](const std::shared_ptr<const TwoLevel<Real>>& trees) { nodes.add(*trees, *geometry); },
+                        [&](const std::shared_ptr<const BvhOnDemand<Real>>& bvh) { nodes.add(bvh->tree()); },
                         [&](const auto& tree) { nodes.add(*tree); }},
-             traced_accelerator<Real>(scene, *geometry, settings, prepared));
+             traced_accelerator<Real>(scene, geometry, settings, prepared));
   return nodes;
 }
 

@@ -88,12 +88,14 @@ Job silent_job() {
   job.ours = [subject] {
     subject->find(subject->with, [&](const SlabRay<float>& slabs, const float& limit, auto& visit) {
       Silent silent;
-      for_each_candidate(*accelerator_as<Bvh<float>>(subject->inputs.accelerator), slabs, limit, visit, silent);
+      for_each_candidate(accelerator_as<BvhOnDemand<float>>(subject->inputs.accelerator)->tree(), slabs, limit, visit,
+                         silent);
     });
   };
   job.yardstick = [subject] {
     subject->find(subject->without, [&](const SlabRay<float>& slabs, const float& limit, auto& visit) {
-      walk_without_recorder(*accelerator_as<Bvh<float>>(subject->inputs.accelerator), slabs, limit, visit);
+      walk_without_recorder(accelerator_as<BvhOnDemand<float>>(subject->inputs.accelerator)->tree(), slabs, limit,
+                            visit);
     });
   };
   job.check = [job, subject]() -> std::string {

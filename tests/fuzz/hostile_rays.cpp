@@ -124,7 +124,7 @@ HostileTrees hostile_trees(std::size_t count, const Draws& draw) {
   }
   const auto& boxes = trees.boxes;
   const auto& triangles = trees.triangles;
-  trees.bvh = build_bvh<float>(boxes, 1);
+  trees.bvh = build_bvh<float>(boxes, {.threads = 1});
   trees.wide = widen(
       trees.bvh, [&](std::uint32_t i) { return triangles[i]; }, 1);
   const auto touches = [&](std::uint32_t i, const Box<float>& cell) {

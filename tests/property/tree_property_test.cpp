@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "accel/binned_split.h"
 #include "accel/bvh.h"
 #include "accel/octree.h"
 #include "accel/triangle_box.h"
@@ -65,12 +66,12 @@ TEST(Trees, TheTreeDoesNotDependOnThreads) {
     box.include(corner);
     box.include(corner + Vec3f(unit() * 0.01f, unit() * 0.01f, unit() * 0.01f));
   }
-  const Bvh<float> one = build_bvh<float>(boxes, 1);
+  const Bvh<float> one = build_bvh<float>(boxes, {.threads = 1});
   std::vector<int> seen(boxes.size(), 0);
   for (const std::uint32_t primitive : one.order) ++seen[primitive];
   EXPECT_EQ(seen, std::vector<int>(boxes.size(), 1));
   for (const int threads : {2, 7}) {
-    const Bvh<float> other = build_bvh<float>(boxes, threads);
+    const Bvh<float> other = build_bvh<float>(boxes, {.threads = threads});
     EXPECT_EQ(one.order, other.order);
     ASSERT_EQ(one.nodes.size(), other.nodes.size());
     EXPECT_EQ(std::memcmp(one.nodes.data(), other.nodes.data(), one.nodes.size() * sizeof one.nodes[0]), 0);
@@ -81,6 +82,34 @@ TEST(Trees, TheTreeDoesNotDependOnThreads) {
     if (node.count == 0)
       for (std::uint32_t k = 0; k < 2; ++k) content.include(one.nodes[node.first + k].box);
     ASSERT_TRUE(content.low == node.box.low && content.high == node.box.high);
+  }
+}
+
+/// What a search of the tree costs by the surface-area heuristic, `group` primitives being tested in one go.
+double cost_of(const Bvh<float>& bvh, std::uint32_t group) {
+  double cost = 0;
+  for (const BvhNode<float>& node : bvh.nodes) {
+    const std::uint32_t groups = (node.count + group - 1) / group;
+    cost += static_cast<double>(node.box.half_area()) * (node.count == 0 ? bvh_traversal_cost : groups);
+  }
+  return cost;
+}
+
+// Cuts that count in the groups that a search tests make a tree that is cheaper for it than others do.
+TEST(Trees, AreCutForTheSearchThatTestsThem) {
+  std::mt19937 random(87);
+  const auto unit = [&] { return static_cast<float>(random()) * 0x1p-32f; };
+  for (int soup = 0; soup < 5; ++soup) {
+    std::vector<Box<float>> boxes(4000);
+    for (Box<float>& box : boxes) {
+      const Vec3f corner{unit(), unit() * unit(), unit()};
+      box.include(corner);
+      box.include(corner + Vec3f(unit() * 0.05f, unit() * 0.05f, unit() * 0.05f));
+    }
+    const Bvh<float> fours = build_bvh<float>(boxes), eights = build_bvh<float>(boxes, {.group = 8});
+    EXPECT_LT(cost_of(eights, 8), 0.97 * cost_of(fours, 8)) << soup;
+    EXPECT_LT(cost_of(fours, 4), 0.97 * cost_of(eights, 4)) << soup;
+    EXPECT_LT(eights.nodes.size(), fours.nodes.size()) << soup;
   }
 }
 
@@ -124,8 +153,8 @@ TEST(Trees, PlanesStandOutsideOfEveryTree) {
       EXPECT_LT(frame.counters[Counter::sphere_tests], brute->counters[Counter::sphere_tests] / 3);
     }
     if (accelerator == Accelerator::bvh) {
-      EXPECT_EQ(accelerator_as<Bvh<float>>(a.accelerator)->nodes.size(),
-                accelerator_as<Bvh<float>>(b.accelerator)->nodes.size());
+      EXPECT_EQ(accelerator_as<BvhOnDemand<float>>(a.accelerator)->tree().nodes.size(),
+                accelerator_as<BvhOnDemand<float>>(b.accelerator)->tree().nodes.size());
     }
   }
 }

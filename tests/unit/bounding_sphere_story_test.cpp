@@ -27,7 +27,7 @@ TEST(BoundingSphereStory, NodesAreTheSpheresOfTheTree) {
   const Settings settings{.accelerator = Accelerator::bounding_spheres};
   Prepared prepared;
   const auto geometry = traced_geometry<float>(scene, settings, prepared);
-  const auto accelerator = traced_accelerator<float>(scene, *geometry, settings, prepared);
+  const auto accelerator = traced_accelerator<float>(scene, geometry, settings, prepared);
   const auto* tree = accelerator_as<BoundingSpheres>(accelerator);
   int nodes = 0;
   for (const Event& event : story_with(scene, settings).events)

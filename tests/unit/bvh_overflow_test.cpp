@@ -18,7 +18,7 @@ TEST(BvhOverflow, AHugeBoxLeavesNoHugeLeaf) {
       boxes[i].include(Vec3f(x + 1, 1, 1));
     }
     boxes[1234].include(Vec3f(bad));
-    const Bvh<float> bvh = build_bvh<float>(boxes, 1);
+    const Bvh<float> bvh = build_bvh<float>(boxes, {.threads = 1});
     std::vector<int> seen(boxes.size(), 0);
     for (const std::uint32_t primitive : bvh.order) ++seen[primitive];
     EXPECT_EQ(seen, std::vector<int>(boxes.size(), 1));

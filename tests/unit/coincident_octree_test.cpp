@@ -34,7 +34,7 @@ template <class Real>
 std::size_t entries_of_octree(const Scene& scene) {
   Prepared prepared;
   const auto geometry = traced_geometry<Real>(scene, with_octree(), prepared);
-  const auto accelerator = traced_accelerator<Real>(scene, *geometry, with_octree(), prepared);
+  const auto accelerator = traced_accelerator<Real>(scene, geometry, with_octree(), prepared);
   return accelerator_as<Octree<Real>>(accelerator)->entries.size();
 }
 

@@ -63,7 +63,7 @@ TEST(SpaceTree, CountsWhatAnOctreeListsTwice) {
   const Scene scene = teapot_scene();
   Prepared own;
   const auto geometry = traced_geometry<float>(scene, settings, own);
-  const auto accelerator = traced_accelerator<float>(scene, *geometry, settings, own);
+  const auto accelerator = traced_accelerator<float>(scene, geometry, settings, own);
   const auto* octree = accelerator_as<Octree<float>>(accelerator);
   std::size_t listed = 0, cells = 1;
   for (const OctreeNode<float>& node : octree->nodes) {
@@ -98,7 +98,7 @@ TEST(SpaceTree, DrawsBoundingSpheresAsGreatCircles) {
   SpaceModel model;
   add_tree(scene, settings, nullptr, prepared, model, 1'000'000);
   const auto geometry = traced_geometry<float>(scene, settings, own);
-  const auto accelerator = traced_accelerator<float>(scene, *geometry, settings, own);
+  const auto accelerator = traced_accelerator<float>(scene, geometry, settings, own);
   const auto& nodes = accelerator_as<BoundingSpheres>(accelerator)->nodes;
   ASSERT_EQ(model.items.size(), nodes.size());
   ASSERT_GT(nodes.size(), 300u);

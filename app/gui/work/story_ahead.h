@@ -8,9 +8,9 @@
 
 namespace ps::gui {
 
-/// Asks for the story of a pixel before anybody clicks it, and throws it away: a graphics driver compiles its programs
-/// for the first story with new settings, which takes longer than the story. All members are for the window's thread
-/// and return at once.
+/// Asks for the story of a pixel before anybody clicks it, and throws it away: for the first story with new settings a
+/// graphics driver compiles its programs, and for that of a new scene a tree is built, which takes longer than the
+/// story. All members are for the window's thread and return at once.
 class StoryAhead {
  public:
   explicit StoryAhead(InspectWorker::InspectCall inspect_call = {});

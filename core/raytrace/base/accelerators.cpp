@@ -68,8 +68,10 @@ Octree<Real> make_octree(const TracedGeometry<Real>& geometry, const Settings& s
 }  // namespace
 
 template <class Real>
-TracedAccelerator<Real> traced_accelerator(const Scene& scene, const TracedGeometry<Real>& geometry,
+TracedAccelerator<Real> traced_accelerator(const Scene& scene,
+                                           const std::shared_ptr<const TracedGeometry<Real>>& traced,
                                            const Settings& settings, Prepared& prepared) {
+  const TracedGeometry<Real>& geometry = *traced;
   const auto key = [&](const char* product) {
     Key made(product);
     made.add(scene.geometry.revision()).add(std::uint64_t{sizeof(Real)});
@@ -101,12 +103,12 @@ TracedAccelerator<Real> traced_accelerator(const Scene& scene, const TracedGeome
                                           .add(static_cast<std::uint64_t>(settings.octree_depth)),
                                       [&] { return make_octree(geometry, settings); });
   }
-  return traced_bvh<Real>(scene, geometry, prepared);
+  return traced_bvh<Real>(scene, traced, prepared);
 }
 
-template TracedAccelerator<float> traced_accelerator(const Scene&, const TracedGeometry<float>&, const Settings&,
-                                                     Prepared&);
-template TracedAccelerator<double> traced_accelerator(const Scene&, const TracedGeometry<double>&, const Settings&,
-                                                      Prepared&);
+template TracedAccelerator<float> traced_accelerator(const Scene&, const std::shared_ptr<const TracedGeometry<float>>&,
+                                                     const Settings&, Prepared&);
+template TracedAccelerator<double>
+traced_accelerator(const Scene&, const std::shared_ptr<const TracedGeometry<double>>&, const Settings&, Prepared&);
 
 }  // namespace ps

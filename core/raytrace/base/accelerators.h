@@ -8,6 +8,7 @@
 #include "accel/octree.h"
 #include "accel/single_box.h"
 #include "base/machine.h"
+#include "raytrace/base/bvh_on_demand.h"
 #include "raytrace/base/embree_triangles.h"
 #include "raytrace/base/two_level.h"
 
@@ -24,12 +25,13 @@ bool uses_bvh(const Settings& settings) {
 template <class Real>
 using TracedAccelerator =
     std::variant<NoAccelerator, std::shared_ptr<const SingleBox<Real>>, std::shared_ptr<const BoundingSpheres>,
-                 std::shared_ptr<const Bvh<Real>>, std::shared_ptr<const Octree<Real>>,
+                 std::shared_ptr<const BvhOnDemand<Real>>, std::shared_ptr<const Octree<Real>>,
                  std::shared_ptr<const TwoLevel<Real>>, std::shared_ptr<const EmbreeGeometry<Real>>>;
 
 /// The one that `settings` name; where Embree cannot be used (uses_bvh()), the tree of boxes.
 template <class Real>
-TracedAccelerator<Real> traced_accelerator(const Scene& scene, const TracedGeometry<Real>& geometry,
+TracedAccelerator<Real> traced_accelerator(const Scene& scene,
+                                           const std::shared_ptr<const TracedGeometry<Real>>& geometry,
                                            const Settings& settings, Prepared& prepared);
 
 /// The accelerator if it is of this type, such as Octree<float>; null otherwise.

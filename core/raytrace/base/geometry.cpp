@@ -304,27 +304,22 @@ std::shared_ptr<const TracedGeometry<Real>> traced_geometry(const Scene& scene, 
 }
 
 template <class Real>
-std::shared_ptr<const Bvh<Real>> traced_bvh(const Scene& scene, const TracedGeometry<Real>& geometry,
-                                            Prepared& prepared) {
-  Key key("traced bvh");
-  key.add(scene.geometry.revision()).add(precision_key<Real>);
-  return prepared.get<Bvh<Real>>(key, [&] {
-    std::vector<Box<Real>> boxes(bounded_count(geometry));
-    const auto primitive = [&](std::size_t i) { return bounded_primitive(geometry, static_cast<std::uint32_t>(i)); };
-    for_each_range(boxes.size(), 0, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) boxes[i] = primitive_box(geometry, geometry.primitives[primitive(i)]);
-    });
-    Bvh<Real> bvh = build_bvh<Real>(boxes);
-    for (std::uint32_t& entry : bvh.order) entry = primitive(entry);
-    return bvh;
+Bvh<Real> tree_over(const TracedGeometry<Real>& geometry, const std::vector<std::uint32_t>& primitives,
+                    const BvhOptions& options) {
+  std::vector<Box<Real>> boxes(primitives.size());
+  for_each_range(boxes.size(), options.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) boxes[i] = primitive_box(geometry, primitive_of(geometry, primitives[i]));
   });
+  Bvh<Real> bvh = build_bvh<Real>(boxes, options);
+  for (std::uint32_t& entry : bvh.order) entry = primitives[entry];
+  return bvh;
 }
 
 template Box<float> primitive_box(const TracedGeometry<float>&, const Primitive&);
 template Box<double> primitive_box(const TracedGeometry<double>&, const Primitive&);
 template std::shared_ptr<const TracedGeometry<float>> traced_geometry(const Scene&, const Settings&, Prepared&);
 template std::shared_ptr<const TracedGeometry<double>> traced_geometry(const Scene&, const Settings&, Prepared&);
-template std::shared_ptr<const Bvh<float>> traced_bvh(const Scene&, const TracedGeometry<float>&, Prepared&);
-template std::shared_ptr<const Bvh<double>> traced_bvh(const Scene&, const TracedGeometry<double>&, Prepared&);
+template Bvh<float> tree_over(const TracedGeometry<float>&, const std::vector<std::uint32_t>&, const BvhOptions&);
+template Bvh<double> tree_over(const TracedGeometry<double>&, const std::vector<std::uint32_t>&, const BvhOptions&);
 
 }  // namespace ps

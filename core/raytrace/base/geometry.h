@@ -222,12 +222,9 @@ inline std::uint32_t bounded_primitive(const TracedGeometry<Real>& geometry, std
   return geometry.unbounded.empty() ? i : geometry.bounded[i];
 }
 
-/// The tree over the bounded primitives of traced_geometry().
-template <class Real>
-std::shared_ptr<const Bvh<Real>> traced_bvh(const Scene& scene, const TracedGeometry<Real>& geometry,
-                                            Prepared& prepared);
-
 /// A tree over some of the primitives; its order holds their numbers.
-Bvh<float> tree_over(const TracedGeometry<float>& geometry, const std::vector<std::uint32_t>& primitives);
+template <class Real>
+Bvh<Real> tree_over(const TracedGeometry<Real>& geometry, const std::vector<std::uint32_t>& primitives,
+                    const BvhOptions& options = {});
 
 }  // namespace ps

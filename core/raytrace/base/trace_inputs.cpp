@@ -58,10 +58,12 @@ TraceInputs<Real> make_trace_inputs(const Scene& scene, const View& view, const 
                                     Channel channels) {
   TraceInputs<Real> inputs;
   inputs.geometry = traced_geometry<Real>(scene, settings, prepared);
-  inputs.accelerator = traced_accelerator<Real>(scene, *inputs.geometry, settings, prepared);
+  inputs.accelerator = traced_accelerator<Real>(scene, inputs.geometry, settings, prepared);
   for (const Material& material : *scene.materials)
     inputs.any_transparent = inputs.any_transparent || material.transparency > 0 || material.opacity_map >= 0;
   inputs.path = traced_fast_path(settings, prepared_traits(scene, prepared), channels);
+  const auto* bvh = accelerator_as<BvhOnDemand<Real>>(inputs.accelerator);
+  if (bvh && inputs.path.machinery != Machinery::wide_triangles) bvh->tree();  // here, with all threads
   inputs.materials = shading_materials<Real>(*scene.materials);
   inputs.lights = shading_lights<Real>(*scene.lights, settings.light_shown);
   for (const Texture& texture : *scene.textures) {

@@ -67,6 +67,9 @@ Hit<Real> Intersector<Real, Recorder>::search(const Ray<Real>& ray, Find find) c
           [&](const std::shared_ptr<const TwoLevel<Real>>& trees) {
             for_each_candidate(*trees, geometry_, candidate(ray), best.t, visit_known, recorder_);
           },
+          [&](const std::shared_ptr<const BvhOnDemand<Real>>& bvh) {
+            for_each_candidate(bvh->tree(), candidate(ray), best.t, visit, recorder_);
+          },
           [&](const auto& tree) { for_each_candidate(*tree, candidate(ray), best.t, visit, recorder_); }},
       inputs_.accelerator);
   return best;

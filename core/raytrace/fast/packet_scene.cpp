@@ -67,8 +67,8 @@ PacketScene packet_scene(const TraceInputs<float>& inputs) {
   scene.useful_only = settings.shadow_rays == ShadowRays::useful;
   const SamplingPlan plan = sampling_plan(settings);
   if (plan.mode == SamplingMode::subsampling) scene.step = plan.step;
-  const auto* bvh = accelerator_as<Bvh<float>>(inputs.accelerator);
-  scene.tree = bvh && !bvh->nodes.empty();
+  const auto* bvh = accelerator_as<BvhOnDemand<float>>(inputs.accelerator);
+  scene.tree = bvh && !bvh->tree().nodes.empty();
   return scene;
 }
 

@@ -34,30 +34,19 @@ SeenFrom<float> see_from_well(LargeArray<WideNode>& nodes, const Bvh<float>& oth
   return seen;
 }
 
-Bvh<float> tree_over(const TracedGeometry<float>& geometry, const std::vector<std::uint32_t>& primitives) {
-  std::vector<Box<float>> boxes;
-  boxes.reserve(primitives.size());
-  for (const std::uint32_t primitive : primitives)
-    boxes.push_back(primitive_box(geometry, primitive_of(geometry, primitive)));
-  Bvh<float> bvh = build_bvh<float>(boxes);
-  for (std::uint32_t& entry : bvh.order) entry = primitives[entry];
-  return bvh;
-}
-
 std::shared_ptr<const WideGeometry> wide_geometry(const Scene& scene, const TracedGeometry<float>& geometry,
                                                   Prepared& prepared) {
   Key key("wide geometry");
   key.add(scene.geometry.revision()).add(geometry.near_plane);
   return prepared.get<WideGeometry>(key, [&] {
     const auto triangle = [&](std::uint32_t primitive) { return wide_triangle(geometry, primitive); };
-    if (only_float_triangles(geometry))  // the tree that is there anyway
-      return seen_well({widen(*traced_bvh<float>(scene, geometry, prepared), triangle), {}}, geometry);
     std::vector<std::uint32_t> triangles, others;
     for (std::uint32_t k = 0; k < bounded_count(geometry); ++k) {
       const std::uint32_t i = bounded_primitive(geometry, k);
       (is_float_triangle(geometry.primitives[i]) ? triangles : others).push_back(i);
     }
-    return seen_well({widen(tree_over(geometry, triangles), triangle), tree_over(geometry, others)}, geometry);
+    const Bvh<float> bvh = tree_over(geometry, triangles, {.group = block_width});
+    return seen_well({widen(bvh, triangle), tree_over(geometry, others)}, geometry);
   });
 }
 

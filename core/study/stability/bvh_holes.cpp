@@ -17,7 +17,7 @@ class Search {
     std::vector<Box<float>> boxes(mesh.triangles.size());
     for (std::size_t i = 0; i < boxes.size(); ++i)
       for (const std::uint32_t corner : mesh.triangles[i]) boxes[i].include(mesh.vertices[corner]);
-    tree_ = build_bvh<float>(boxes, 1);
+    tree_ = build_bvh<float>(boxes, {.threads = 1});
   }
 
   /// Whether the search for the nearest hit finds none; counts the nodes that it visits.

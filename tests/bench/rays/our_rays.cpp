@@ -70,19 +70,14 @@ void OurRays::any(std::span<const BenchRay> rays, std::span<BenchHit> hits) cons
 
 void OurRays::rebuild() {
   Prepared empty;
-  TraceInputs<float>& inputs = content_->inputs;
-  inputs.accelerator = NoAccelerator{};
   content_->wide.reset();
-  inputs.accelerator = traced_bvh<float>(content_->scene, *inputs.geometry, empty);
-  content_->wide = wide_inputs(content_->scene, inputs, empty);
+  content_->wide = wide_inputs(content_->scene, content_->inputs, empty);
 }
 
 double OurRays::bytes_per_triangle() const {
   const TraceInputs<float>& inputs = content_->inputs;
   const TracedGeometry<float>& geometry = *inputs.geometry;
-  const auto* bvh = accelerator_as<Bvh<float>>(inputs.accelerator);
-  std::size_t bytes = bvh->nodes.size() * sizeof(BvhNode<float>) + bvh->order.size() * sizeof(std::uint32_t) +
-                      geometry.primitives.size() * sizeof(Primitive) +
+  std::size_t bytes = geometry.primitives.size() * sizeof(Primitive) +
                       geometry.triangles.size() * sizeof(TracedTriangle<float>) +
                       geometry.attributes.size() * sizeof(TriangleAttributes<float>);
   if (content_->wide)

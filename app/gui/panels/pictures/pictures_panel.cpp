@@ -368,12 +368,14 @@ void loupe(const PicturesState& state) {
   }
 }
 
-/// The mouse is on the way to a pixel of a picture that a graphics driver has drawn.
+/// The mouse is on the way to a pixel of a picture whose first story takes long: one that a graphics driver has drawn,
+/// or SIMD searches, which have another tree than the story.
 void prepare_story(const Session& session, RenderWorker& renderer, const Hover& hover, StoryAhead& ahead) {
   const auto result = renderer.result();
   if (!result || renderer.status().state != RenderState::done || ImGui::IsAnyMouseDown()) return;
   if (result->request.settings != session.settings(hover.side)) return;
-  if (renderer_row(result->request.settings.renderer).by_driver)
+  if (renderer_row(result->request.settings.renderer).by_driver ||
+      result->frame.path.machinery == Machinery::wide_triangles)
     ahead.prepare(result->request, hover.pixel, session.work().prepared());
 }
 
