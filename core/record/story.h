@@ -33,7 +33,7 @@ enum class LedgerTerm {
   sample,
   listing,
   rounding,
-  exposure,  ///< these and those below say what the display does, and add nothing
+  exposure,  ///< these and those below say what the display does, and have no value
   clamped_red,
   clamped_green,
   clamped_blue,

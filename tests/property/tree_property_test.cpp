@@ -85,7 +85,7 @@ TEST(Trees, TheTreeDoesNotDependOnThreads) {
   }
 }
 
-/// What a search of the tree costs by the surface-area heuristic, `group` primitives being tested in one go.
+/// Cost of a search of the tree by the surface-area heuristic, `group` primitives being tested in one go.
 double cost_of(const Bvh<float>& bvh, std::uint32_t group) {
   double cost = 0;
   for (const BvhNode<float>& node : bvh.nodes) {

@@ -1,4 +1,4 @@
-// Who builds the tree of boxes, and when.
+// The tree of boxes is built for its first user.
 #include "raytrace/base/bvh_on_demand.h"
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ TEST(BvhOnDemand, ThreadsThatAskTogetherGetOneTree) {
   EXPECT_GT(bvh->tree().nodes.size(), 100u);
 }
 
-// A stopped builder leaves no half of a tree: whoever asks next builds all of it.
+// A stopped builder leaves no half of a tree: the next caller builds all of it.
 TEST(BvhOnDemand, AStoppedBuildBeginsAgain) {
   Teapot teapot;
   const auto bvh = teapot.bvh();

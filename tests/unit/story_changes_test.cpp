@@ -96,8 +96,7 @@ TEST(StoryChanges, BothSumsAreListedInFull) {
   EXPECT_GT(changes.changed_steps, 0);
 }
 
-// The share of what a sheet lets through differs, and its line is still the same line: the number that it begins with
-// says nothing about which line it is.
+// A sheet lets another share of the light through, and its line begins with another number: it is still the same line.
 TEST(StoryChanges, ALineThatBeginsWithANumberKeepsItsPartner) {
   const auto story_of = [](const char* transparency) {
     const Scene scene = parse_scene(
