@@ -34,8 +34,8 @@ inline constexpr int bvh_max_depth = 64;
 inline constexpr std::uint32_t bvh_no_tree = 8;
 
 struct BvhOptions {
-  std::uint32_t group =
-      4;            ///< primitives that are tested in one go: cuts count in these, and a leaf is filled with them
+  /// Primitives that a search tests in one go, a power of two. Cuts count in these, and leaves are filled with them.
+  std::uint32_t group = 4;
   int threads = 0;  ///< 0 = one per processor; the tree does not depend on it
 };
 
