@@ -3,7 +3,12 @@
 #include <optional>
 #include <string_view>
 
+#include "hwy/detect_compiler_arch.h"
 #include "options/settings.h"
+
+// A file that is compiled once for each SIMD target keeps three of them; elsewhere the clear path does the work.
+#undef HWY_DISABLED_TARGETS
+#define HWY_DISABLED_TARGETS HWY_SSSE3
 
 namespace ps {
 
@@ -30,6 +35,18 @@ Kernel chosen_kernel(Simd setting, const Kernel& avx512, const Kernel& avx2, con
   if (target == Simd::sse4) return sse4;
   return {};
 }
+
+/// chosen_kernel() in a file that is compiled once for each target: `kernel` is a function or constant of its
+/// HWY_NAMESPACE, or a call. The second is for a file that is not compiled for SSE4.
+#if HWY_ARCH_X86
+#define PS_CHOSEN_KERNEL(Kernel, setting, kernel)                                                                      \
+  ps::chosen_kernel<Kernel>(setting, N_AVX3::kernel, N_AVX2::kernel, N_SSE4::kernel)
+#define PS_CHOSEN_WIDE_KERNEL(Kernel, setting, kernel)                                                                 \
+  ps::chosen_kernel<Kernel>(setting, N_AVX3::kernel, N_AVX2::kernel)
+#else
+#define PS_CHOSEN_KERNEL(Kernel, setting, kernel) (static_cast<void>(setting), Kernel())
+#define PS_CHOSEN_WIDE_KERNEL(Kernel, setting, kernel) PS_CHOSEN_KERNEL(Kernel, setting, kernel)
+#endif
 
 /// simd_name() of the target that kernels choose under this setting.
 std::string_view chosen_simd(Simd setting);

@@ -36,23 +36,11 @@ struct Silent {
   static constexpr bool collects() { return false; }
 };
 
-/// Counts work. One per tile, added up in tile order.
-struct CountingRecorder {
+/// Counts work, and is silent about the rest. One per tile, added up in tile order.
+struct CountingRecorder : Silent {
   static constexpr bool counts = true;
-  static constexpr bool records = false;
-  static constexpr bool one_pixel = false;
   Counters counters;
   void count(Counter c, std::uint64_t n = 1) { counters[c] += n; }
-  void at(int, int) {}
-  static constexpr bool wants(int, int) { return false; }
-  template <class Make>
-  void event(Make&&) {}
-  template <class Make>
-  void begin(Make&&) {}
-  void end() {}
-  template <class Make>
-  void end(Make&&) {}
-  static constexpr bool collects() { return false; }
 };
 
 /// Counts, and collects the events of one pixel.

@@ -4,7 +4,7 @@
 #include <optional>
 #include <type_traits>
 
-#include "record/events.h"
+#include "record/recorder.h"
 
 namespace ps::raster {
 
@@ -13,11 +13,8 @@ struct StepReached {};
 
 /// A recorder (record/recorder.h) that lets a kernel go on until it begins with fragment number `limit` + 1, and keeps
 /// what the last fragment before was.
-class SteppingRecorder {
+class SteppingRecorder : public CountingRecorder {
  public:
-  static constexpr bool counts = true;
-  static constexpr bool records = false;
-  static constexpr bool one_pixel = false;
   explicit SteppingRecorder(std::uint64_t limit) : limit_(limit) {}
 
   void count(Counter c, std::uint64_t n = 1) {
@@ -25,10 +22,8 @@ class SteppingRecorder {
       if (fragments_ == limit_) throw StepReached();
       ++fragments_;
     }
-    counters[c] += n;
+    CountingRecorder::count(c, n);
   }
-  void at(int, int) {}
-  static constexpr bool wants(int, int) { return false; }
   template <class Make>
   void event(Make&& make) {
     if constexpr (std::is_same_v<std::decay_t<decltype(make())>, FragmentEvent>)
@@ -38,12 +33,7 @@ class SteppingRecorder {
   void begin(Make&& make) {
     event(std::forward<Make>(make));
   }
-  void end() {}
-  template <class Make>
-  void end(Make&&) {}
-  static constexpr bool collects() { return false; }
 
-  Counters counters;
   /// Fragment number `limit`, if the kernel has reported it; one that an opacity map cuts out is not reported.
   const std::optional<FragmentEvent>& last() const { return last_; }
 

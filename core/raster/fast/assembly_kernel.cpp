@@ -5,9 +5,6 @@
 #include "options/simd_choice.h"
 #include "raster/fast/assembly.h"
 
-// This file is compiled once for each SIMD target. Only these three are kept; elsewhere the clear path does the work.
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/fast/assembly_kernel.cpp"
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
@@ -279,14 +276,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ps::raster {
 
-AssembleBlock assemble_kernel(Simd simd) {
-#if HWY_ARCH_X86
-  return chosen_kernel<AssembleBlock>(simd, N_AVX3::assemble_block, N_AVX2::assemble_block, N_SSE4::assemble_block);
-#else
-  static_cast<void>(simd);
-  return nullptr;
-#endif
-}
+AssembleBlock assemble_kernel(Simd simd) { return PS_CHOSEN_KERNEL(AssembleBlock, simd, assemble_block); }
 
 }  // namespace ps::raster
 #endif

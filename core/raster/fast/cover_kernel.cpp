@@ -5,9 +5,6 @@
 #include "options/simd_choice.h"
 #include "raster/fast/tile.h"
 
-// This file is compiled once for each SIMD target. Only these three are kept; elsewhere the clear path does the work.
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/fast/cover_kernel.cpp"
 #include "hwy/cache_control.h"
@@ -164,14 +161,7 @@ void TileFragments::start(std::size_t entries, std::size_t surfaces) {
   replaced.clear();
 }
 
-CoverTile cover_kernel(Simd simd) {
-#if HWY_ARCH_X86
-  return chosen_kernel<CoverTile>(simd, N_AVX3::cover, N_AVX2::cover, N_SSE4::cover);
-#else
-  static_cast<void>(simd);
-  return nullptr;
-#endif
-}
+CoverTile cover_kernel(Simd simd) { return PS_CHOSEN_KERNEL(CoverTile, simd, cover); }
 
 }  // namespace ps::raster
 #endif

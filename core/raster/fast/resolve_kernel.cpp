@@ -5,9 +5,6 @@
 #include "options/simd_choice.h"
 #include "raster/fast/resolve.h"
 
-// This file is compiled once for each SIMD target. Only these three are kept; elsewhere the clear path does the work.
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/fast/resolve_kernel.cpp"
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
@@ -262,6 +259,8 @@ void count_texels(ResolveTask& task) {
   flush();
 }
 
+constexpr ResolveKernels all_resolve_kernels{resolve, fill, count_texels};
+
 }  // namespace ps::raster::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif
@@ -269,16 +268,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ps::raster {
 
-ResolveKernels resolve_kernels(Simd simd) {
-#if HWY_ARCH_X86
-  return chosen_kernel<ResolveKernels>(simd, {N_AVX3::resolve, N_AVX3::fill, N_AVX3::count_texels},
-                                       {N_AVX2::resolve, N_AVX2::fill, N_AVX2::count_texels},
-                                       {N_SSE4::resolve, N_SSE4::fill, N_SSE4::count_texels});
-#else
-  static_cast<void>(simd);
-  return {};
-#endif
-}
+ResolveKernels resolve_kernels(Simd simd) { return PS_CHOSEN_KERNEL(ResolveKernels, simd, all_resolve_kernels); }
 
 }  // namespace ps::raster
 #endif

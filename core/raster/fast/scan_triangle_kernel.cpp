@@ -4,9 +4,6 @@
 
 #include "options/simd_choice.h"
 
-// This file is compiled once for each SIMD target. Only these three are kept; elsewhere the clear path does the work.
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/fast/scan_triangle_kernel.cpp"
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
@@ -167,14 +164,7 @@ bool can_scan(const TriangleScan& scan) {
   return true;
 }
 
-ScanTriangle scan_function(Simd simd) {
-#if HWY_ARCH_X86
-  return chosen_kernel<ScanTriangle>(simd, N_AVX3::scan_triangle, N_AVX2::scan_triangle, N_SSE4::scan_triangle);
-#else
-  static_cast<void>(simd);
-  return nullptr;
-#endif
-}
+ScanTriangle scan_function(Simd simd) { return PS_CHOSEN_KERNEL(ScanTriangle, simd, scan_triangle); }
 
 }  // namespace ps::raster
 #endif

@@ -4,9 +4,6 @@
 
 #include "options/simd_choice.h"
 
-// This file is compiled once for each SIMD target. Only these three are kept; elsewhere the clear path does the work.
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/fast/shade_batch_kernel.cpp"
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
@@ -86,14 +83,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ps::raster {
 
-ShadeFragments shade_function(Simd simd) {
-#if HWY_ARCH_X86
-  return chosen_kernel<ShadeFragments>(simd, N_AVX3::shade_fragments, N_AVX2::shade_fragments, N_SSE4::shade_fragments);
-#else
-  static_cast<void>(simd);
-  return nullptr;
-#endif
-}
+ShadeFragments shade_function(Simd simd) { return PS_CHOSEN_KERNEL(ShadeFragments, simd, shade_fragments); }
 
 }  // namespace ps::raster
 #endif

@@ -4,9 +4,6 @@
 #include "options/simd_choice.h"
 #include "raster/fast/vertices.h"
 
-// This file is compiled once for each SIMD target. Only these three are kept; elsewhere the clear path does the work.
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/fast/vertex_kernels.cpp"
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
@@ -165,6 +162,8 @@ void transform_normals(const Mat3d& matrix, const Vec3d* normals, std::size_t co
   std::copy_n(to.begin(), count, result);
 }
 
+constexpr VertexKernels all_vertex_kernels{transform_positions, transform_normals};
+
 }  // namespace ps::raster::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif
@@ -172,16 +171,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ps::raster {
 
-VertexKernels vertex_kernels(Simd simd) {
-#if HWY_ARCH_X86
-  return chosen_kernel<VertexKernels>(simd, {N_AVX3::transform_positions, N_AVX3::transform_normals},
-                                      {N_AVX2::transform_positions, N_AVX2::transform_normals},
-                                      {N_SSE4::transform_positions, N_SSE4::transform_normals});
-#else
-  static_cast<void>(simd);
-  return {};
-#endif
-}
+VertexKernels vertex_kernels(Simd simd) { return PS_CHOSEN_KERNEL(VertexKernels, simd, all_vertex_kernels); }
 
 }  // namespace ps::raster
 #endif

@@ -5,9 +5,6 @@
 
 #include "options/simd_choice.h"
 
-// This file is compiled once for each SIMD target. Only these three are kept; elsewhere the clear path does the work.
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raytrace/fast/packet.cpp"
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
@@ -400,6 +397,8 @@ void trace_samples(const PacketScene& scene, std::span<const PacketSample> sampl
   add_counts(scene, count, samples.size(), counters);
 }
 
+constexpr PacketFunctions all_packet_functions{trace_packets, trace_samples};
+
 }  // namespace ps::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif
@@ -407,16 +406,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ps {
 
-PacketFunctions packet_functions(Simd simd) {
-#if HWY_ARCH_X86
-  return chosen_kernel<PacketFunctions>(simd, {N_AVX3::trace_packets, N_AVX3::trace_samples},
-                                        {N_AVX2::trace_packets, N_AVX2::trace_samples},
-                                        {N_SSE4::trace_packets, N_SSE4::trace_samples});
-#else
-  static_cast<void>(simd);
-  return {};
-#endif
-}
+PacketFunctions packet_functions(Simd simd) { return PS_CHOSEN_KERNEL(PacketFunctions, simd, all_packet_functions); }
 
 }  // namespace ps
 #endif

@@ -131,7 +131,7 @@ void light(const HitTables& tables, const std::vector<unsigned>& blocked, HitPac
 
 }  // namespace
 
-HitFunctions hit_functions() { return {place, light}; }
+constexpr HitFunctions all_hit_functions{place, light};
 
 }  // namespace ps::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -140,14 +140,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ps {
 
-HitFunctions hit_functions(Simd simd) {
-#if HWY_ARCH_X86
-  return chosen_kernel<HitFunctions>(simd, N_AVX3::hit_functions(), N_AVX2::hit_functions());
-#else
-  static_cast<void>(simd);
-  return {};
-#endif
-}
+HitFunctions hit_functions(Simd simd) { return PS_CHOSEN_WIDE_KERNEL(HitFunctions, simd, all_hit_functions); }
 
 }  // namespace ps
 #endif

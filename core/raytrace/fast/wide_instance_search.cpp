@@ -3,9 +3,6 @@
 #include "options/simd_choice.h"
 #include "raytrace/fast/wide_instances.h"
 
-// This file is compiled once for each SIMD target. Only these three are kept; elsewhere the clear path does the work.
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raytrace/fast/wide_instance_search.cpp"
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
@@ -149,15 +146,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ps {
 
-InstanceSearches instance_searches(Simd simd, SimdTriangleTest test) {
-#if HWY_ARCH_X86
-  return chosen_kernel<InstanceSearches>(simd, N_AVX3::instance_searches(test), N_AVX2::instance_searches(test),
-                                         N_SSE4::instance_searches(test));
-#else
-  static_cast<void>(simd);
-  static_cast<void>(test);
-  return {};
-#endif
+InstanceSearches instance_searches(Simd simd, [[maybe_unused]] SimdTriangleTest test) {
+  return PS_CHOSEN_KERNEL(InstanceSearches, simd, instance_searches(test));
 }
 
 }  // namespace ps

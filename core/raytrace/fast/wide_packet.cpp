@@ -232,14 +232,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ps {
 
-PacketSearches packet_searches(Simd simd, SimdTriangleTest test) {
-#if HWY_ARCH_X86
-  return chosen_kernel<PacketSearches>(simd, N_AVX3::packet_searches(test), N_AVX2::packet_searches(test));
-#else
-  static_cast<void>(simd);
-  static_cast<void>(test);
-  return {};
-#endif
+PacketSearches packet_searches(Simd simd, [[maybe_unused]] SimdTriangleTest test) {
+  return PS_CHOSEN_WIDE_KERNEL(PacketSearches, simd, packet_searches(test));
 }
 
 }  // namespace ps

@@ -4,9 +4,6 @@
 
 #include "options/simd_choice.h"
 
-// This file is compiled once for each SIMD target. Only these three are kept; elsewhere the clear path does the work.
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raytrace/fast/wide_search.cpp"
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
@@ -105,15 +102,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ps {
 
-WideSearches wide_searches(Simd simd, SimdTriangleTest test) {
-#if HWY_ARCH_X86
-  return chosen_kernel<WideSearches>(simd, N_AVX3::wide_searches(test), N_AVX2::wide_searches(test),
-                                     N_SSE4::wide_searches(test));
-#else
-  static_cast<void>(simd);
-  static_cast<void>(test);
-  return {};
-#endif
+WideSearches wide_searches(Simd simd, [[maybe_unused]] SimdTriangleTest test) {
+  return PS_CHOSEN_KERNEL(WideSearches, simd, wide_searches(test));
 }
 
 }  // namespace ps
