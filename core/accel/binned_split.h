@@ -138,8 +138,8 @@ class BinSet {
   BvhSplit<Real> best_split(std::uint32_t count, const Extent<Real>& box, const Extent<Real>& centroids,
                             std::uint32_t group) const {
     const double node_cost = bvh_traversal_cost * box.half_area();
-    const double uncut =
-        count > 4 * group ? std::numeric_limits<double>::infinity() : (count + group - 1) / group * box.half_area();
+    const std::uint32_t groups = (count + group - 1) / group;
+    const double uncut = count > 4 * group ? std::numeric_limits<double>::infinity() : groups * box.half_area();
     std::array<AxisCosts, most_bins> costs;
     Sides sides;
     for (std::size_t bin = count_of_bins() - 1; bin > 0; --bin) {
